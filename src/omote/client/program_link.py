@@ -164,7 +164,8 @@ class ProgramLink:
         return key
 
     async def add_sound(self, name: str, data: bytes, *, replace: bool) -> str:
-        """Adds a sound to the show file under a name, and returns its key; errors as of `upload_sound`."""
+        """Adds a sound (data) to the show file under a name, and returns its key; errors as of `upload_sound`. replace:
+        in the place of the one of that name."""
         return await upload_sound(
             self._show,
             data,

@@ -91,7 +91,7 @@ class NamedSounds:
         return text
 
     def rename(self, name: str, to: str) -> None:
-        """Gives a sound another name; ValueError where there is none of that name, or another has it."""
+        """Gives a sound another name (to); ValueError where there is none of that name, or another has it."""
         sound = self.sounds[check_known(name, self.sounds, "sound")]
         text = check_sound_name(to)
         others = {each: other for each, other in self.sounds.items() if each != name}
@@ -100,7 +100,7 @@ class NamedSounds:
         self._set({**others, text: structs.replace(sound, former=former)})
 
     def drop(self, name: str, clips: Mapping[str, Clip], book: CueBook) -> list[str]:
-        """Takes a sound out; returns who needs it, in words. clips, book: those of the show."""
+        """Takes the sound of a name out; returns who needs it, in words. clips, book: those of the show."""
         sound = self.sounds[check_known(name, self.sounds, "sound")]
         called = {each for each, key in self.called().items() if key == sound.sound}
         self._lay_aside(name, sound)
