@@ -15,7 +15,7 @@ from omote.clip_commands import find_film_sound
 from omote.perform.clips.clip import Clip, Lane
 from omote.perform.clips.motion_curve import make_curve
 from omote.server.headless.clip_pictures import FilmSound
-from omote.show.objects.sounds import StoredSound
+from omote.show.objects.speech import StoredSound
 from omote.showfile.changes import Stored
 from omote.showfile.inspection import Inspection
 from tests.inputs.takes.test_live_link_take import HEADER, row

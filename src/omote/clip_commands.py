@@ -159,7 +159,7 @@ def find_film_sound(inspection: Inspection, clip: Clip) -> FilmSound | None:
     """What is heard in a film of a clip, None for nothing; where its sound is missing, or has another speed, that is
     said. inspection: of its show file."""
     from omote.server.headless.clip_pictures import FilmSound
-    from omote.show.objects.sounds import StoredSound
+    from omote.show.objects.speech import StoredSound
     from omote.show.speech.named_sounds import NamedSounds, read_sounds
 
     if not clip.sound:

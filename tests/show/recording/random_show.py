@@ -58,9 +58,8 @@ from omote.show.objects.motion import LookAt, MakeGesture, SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
-from omote.show.objects.sounds import StoredSound
 from omote.show.objects.sources import CalibrateSource, Drive, RouteSource, Source, SourceIs, TuneSource
-from omote.show.objects.speech import PlaySound, Say, SayByVoice, StopSpeaking
+from omote.show.objects.speech import PlaySound, Say, SayByVoice, StopSpeaking, StoredSound
 from omote.show.objects.stages import Drawing
 from omote.show.recording.entries import AnyEntry, decode_entries, encode_entries, name_clips
 from omote.show.recording.recorder import Recorder

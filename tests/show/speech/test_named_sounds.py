@@ -13,16 +13,16 @@ from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import clips as clip_messages
 from omote.show.objects.cues import Go, PutCue
 from omote.show.objects.link import Hello, Refused
-from omote.show.objects.sounds import (
+from omote.show.objects.speech import (
     DropSound,
     NamedSound,
     RenameSound,
     RestoreSound,
+    Say,
     SoundDropped,
     Sounds,
     StoredSound,
 )
-from omote.show.objects.speech import Say
 from omote.show.session import ShowSession
 from omote.show.speech import named_sounds
 from omote.show.speech.named_sounds import NamedSounds, read_sounds

@@ -12,7 +12,7 @@ from omote.edit.store.whole_items import item_sources
 from omote.model.recipes.recipe import KEY
 from omote.server.persistence.offline_show import open_offline_show
 from omote.show.objects.documents import contents_of, names_in, read_document
-from omote.show.objects.sounds import StoredSound
+from omote.show.objects.speech import StoredSound
 from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
 from omote.showfile.changes import Item, Stored
 from omote.showfile.inspection import item_named

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from omote.inputs.sounds.sound_file import SoundFile
-from omote.show.objects.sounds import StoredSound
+from omote.show.objects.speech import StoredSound
 from omote.show.session import ShowSession
 from omote.show.speech.named_sounds import read_sounds
 from omote.showfile.changes import Change, Content, ContentRemoval, DocumentRemoval, StoredDocument, content_key

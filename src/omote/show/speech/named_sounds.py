@@ -11,7 +11,7 @@ from msgspec import structs
 from omote.perform.clips.clip import Clip
 from omote.perform.limits import check_known
 from omote.show.cues.cue_book import CueBook
-from omote.show.objects.sounds import (
+from omote.show.objects.speech import (
     LONGEST_SOUND_NAME,
     MOST_NAMED_BYTES,
     MOST_NAMED_SOUNDS,
