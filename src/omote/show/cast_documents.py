@@ -153,6 +153,7 @@ class CorrectivesDocument(msgspec.Struct, frozen=True):
     cornea: float
     deep: float
     kept: float
+    sliver: float
     rows: bytes
     triangles: bytes
     crossings: list[CrossingDocument]

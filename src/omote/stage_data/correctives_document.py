@@ -23,6 +23,7 @@ from omote.perform.blending.correctives import (
     MARGIN,
     MOMENTUM,
     ROUNDS,
+    SLIVER,
     Eyeballs,
     measure_allowance,
 )
@@ -44,7 +45,7 @@ def correctives_document(cast: Cast, starts: dict[str, int]) -> CorrectivesDocum
         rounds=list(ROUNDS), least_area=LEAST_AREA, floor=FLOOR, over_relaxation=OVER_RELAXATION,
         least_slope=LEAST_SLOPE, full=FULL,
         momentum=MOMENTUM, margin=MARGIN, farthest=FARTHEST, bulge=BULGE, cornea=CORNEA,
-        deep=DEEP, kept=KEPT,
+        deep=DEEP, kept=KEPT, sliver=SLIVER,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in regions.crossings],

@@ -444,7 +444,8 @@ export type DropMove = { type: "drop_move"; id: string; cue: string; part: strin
 /**
  * Writes a new cue of what shows to its sender, on air or in preview: the parts that stand otherwise than the cues
  * before it leave them, or those that `parts` names (`one/face`, `one` for all of a character). `number`: "" for the
- * next free one behind the cue that was called last, in preview behind the one that is looked at.
+ * next free one behind the cue that was called last, in preview behind the one that is looked at, which is the new one
+ * from then on.
  */
 export type RecordCue = {
   type: "record_cue";
@@ -1709,6 +1710,7 @@ export type CorrectivesDocument = {
   cornea: number;
   deep: number;
   kept: number;
+  sliver: number;
   rows: Uint8Array;
   triangles: Uint8Array;
   crossings: CrossingDocument[];

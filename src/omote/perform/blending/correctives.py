@@ -41,6 +41,9 @@ DEEP = 0.4
 KEPT = 0.3
 """A sum is damped where a triangle lacks more than this area beside what it keeps; the least share of a sum that is
 left."""
+SLIVER = 1e-7
+"""Twice the area (square metres) under which a triangle damps a sum the less, the smaller it is: the smallest of the
+built-in cast has as much, mixes of its faces leave a sixteenth of it, and a tenth of a millimetre turns that over."""
 BULGE = 0.035
 CORNEA = 0.6
 """How far the cornea stands out of the ball, in radii, and where it ends, radians from the line of sight."""
@@ -131,7 +134,8 @@ def correct_combination(
     rungs = rungs.reshape(-1, RUNGS)
     points = blended.copy()
     if damped:
-        points = _damp_folds(regions, here, points, normals, sizes, LEAST_AREA - areas - DEEP)
+        deep = DEEP * np.maximum(SLIVER / np.maximum(np.sqrt(sizes), 1e-12), 1.0)
+        points = _damp_folds(regions, here, points, normals, sizes, LEAST_AREA - areas - deep)
     goals = np.maximum(LEAST_AREA - areas, FLOOR)
     lids = lids + _lid_depths(regions, here, replace(balls, angles=np.zeros((2, 2))))
     _open_crossings(regions, here, points, rungs)

@@ -53,7 +53,10 @@ def _lock_idle(path: Path) -> int:
     try:
         return lock_show(path)
     except ShowLockedError as error:
-        instead = "End that show first; while it runs, files are taken in by its console and its editor."
+        instead = (
+            "End that show first; while it runs, files are taken in by its console and its editor, and a list of cues "
+            "by its server (POST /cue_lists/main)."
+        )
         raise ShowLockedError(f"{error} {instead}") from error
 
 

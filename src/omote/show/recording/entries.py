@@ -124,9 +124,12 @@ class Recast(Entry, frozen=True):
 
 
 class CuesEdited(Entry, frozen=True):
-    """The cues as an edit has left them."""
+    """The cues as an edit has left them. by, what: who did what, as of `CueEdit`, "" where nobody edited them or it was
+    recorded by an older Omote."""
 
     shown: RecordedCues
+    by: str = ""
+    what: str = ""
 
     def redo(self, session: ShowSession) -> None:
         """Plays the cues from now on. session: the show."""

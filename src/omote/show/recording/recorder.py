@@ -106,7 +106,8 @@ class Recorder:
 
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them: which cue stands by depends on each edit, not on the last alone."""
-        self._note(CuesEdited(self._session.cues.shown()))
+        cues = self._session.cues
+        self._note(CuesEdited(cues.shown(), *cues.last_edit))
 
     def note_tick(self, now: float) -> None:
         """Notes a tick. now: seconds, monotonic."""

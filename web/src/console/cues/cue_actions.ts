@@ -140,7 +140,7 @@ export class CueActions extends CueElement {
   }
 
   get #actions(): readonly CueAction[] {
-    return this.cue?.actions ?? [];
+    return this.cue === null ? [] : this.cues.newest(this.cue).actions;
   }
 
   /** The names of the sounds that the show file keeps. */

@@ -216,8 +216,13 @@ export const style = css`
     }
   }
   @media (max-width: 1250px) {
-    :is(.bus, .moments) {
-      display: none; /* they stand in the set-up too */
+    .bus {
+      display: none; /* it stands in the set-up too */
+    }
+  }
+  @media (max-width: 1559px) {
+    .moments {
+      display: none; /* it stands in the set-up too, and on keys: panic keeps its corner in the fullest bar */
     }
   }
   @media (max-width: 940px) {

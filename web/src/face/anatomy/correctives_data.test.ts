@@ -23,6 +23,7 @@ const document: CorrectivesDocument = {
   cornea: 0.6,
   deep: 0.4,
   kept: 0.3,
+  sliver: 0,
   rows: whole(10, 20, 30, 40),
   triangles: whole(0, 1, 2, 1, 3, 2),
   crossings: [

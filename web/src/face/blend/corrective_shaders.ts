@@ -39,6 +39,7 @@ const float MARGIN = ${float(margin)};
 const float FARTHEST = ${float(farthest)};
 const float DEEP = ${float(document.deep)};
 const float KEPT = ${float(document.kept)};
+const float SLIVER = ${float(document.sliver)};
 const float BULGE = ${float(document.bulge)};
 const float CORNEA_END = ${float(Math.cos(document.cornea))}; // the cosine
 
@@ -102,7 +103,7 @@ void main() {
   vec4 rested = texelFetch(restNormals, here(), 0);
   mat3 still = triangleAt(rest, places, slot);
   mat3 move = triangleAt(points, places, slot) - still;
-  float goal = LEAST_AREA - allowance(allowed, numberOf(own), slot) - DEEP;
+  float goal = LEAST_AREA - allowance(allowed, numberOf(own), slot) - DEEP * max(SLIVER / sqrt(rested.w), 1.0);
   // The area at a share s of the move is 1 + slope s + square s^2.
   float slope = dot(cross(still[1], move[2]) + cross(move[1], still[2]), rested.xyz) / rested.w;
   float square = areaShare(move[1], move[2], rested);

@@ -25,6 +25,7 @@ const document: CorrectivesDocument = {
   cornea: 0.6,
   deep: 0.4,
   kept: 0.3,
+  sliver: 0,
   rows: whole(0, 1, 2, 3),
   triangles: whole(0, 1, 2, 0, 2, 3),
   crossings: [

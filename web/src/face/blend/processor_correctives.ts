@@ -145,11 +145,12 @@ export class ProcessorCorrectives {
   /** The share of the sum that each triangle may keep; whether any is less than all. */
   private measureKept(rest: Rested, allowed: Float32Array): boolean {
     const { points, kept, data } = this;
-    const { least_area, deep, kept: least } = data.document;
+    const { least_area, deep, kept: least, sliver } = data.document;
     kept.fill(1);
     let some = false;
     for (let t = 0; t < kept.length; t++) {
-      const goal = least_area - (allowed[t] as number) - deep;
+      const lacking = deep * Math.max(sliver / Math.sqrt(rest.sizes[t] as number), 1);
+      const goal = least_area - (allowed[t] as number) - lacking;
       if (this.areaShare(points, rest, t) >= goal) continue;
       some = true;
       const [b, c] = this.edges(rest.points, t);
