@@ -88,6 +88,42 @@ def test_who_did_what_is_told(file: Path) -> None:
     assert [row["of"] for row in rows if row["what"] == "mark_moment"] == ["laugh"]
 
 
+def test_a_log_tells_times_of_the_whole_whatever_it_begins_with(file: Path) -> None:
+    rows = json.loads(said("log", file, "--json"))
+    later = json.loads(said("log", file, "--json", "--from", "-1"))
+    assert 0 < len(later) < len(rows)
+    assert later == rows[-len(later) :]
+
+
+def test_an_earlier_start_is_kept_told_checked_and_cut(file: Path, tmp_path: Path) -> None:
+    """The show was killed and started again: what came before is named by its number."""
+    other = tmp_path / "b.omote"
+    open_show(other).close()
+    original = open_recording(recording_path(file))
+    original.copy_into(recording_path(other))
+    original.close()
+    cast = load_cast()
+    show = RandomShow(6, {cast.digest: cast}, calm=1e9)
+    writer = RecordingThread(recording_path(other), pytest.fail, "test")
+    writer.note_cast(cast, {})
+    show.play(0.5)
+    writer.note(show.entries)
+    writer.close()
+    listed = json.loads(said("list", other, "--json"))
+    assert [row["start"] for row in listed if row["what"] == "ring"] == [1, 2]
+    assert "all 30 states" in said("check", other)
+    assert "all 180 states" in said("check", other, "--start", "1")
+    assert json.loads(said("log", other, "--json", "--start", "1")) == json.loads(said("log", file, "--json"))
+    assert "laugh" in said("notes", other, "--start", "1")
+    assert "laugh" not in said("notes", other, "--start", "2")
+    assert "before is kept: 0:00:02.0" in said("keep", other, "before", "--start", "1", "--from", "-2")
+    assert "not both" in said("check", other, "before", "--start", "1", status=1)
+    refusal = " ".join(said("keep", other, "gone", "--start", "3", status=1).split())
+    assert "of the start 3 of the show; there are 1 (" in refusal
+    assert ", 2 (" in refusal
+    assert "the clip before" in said("clip", other, "before", "--start", "1", "--from", "0:01", "--to", "2")
+
+
 def test_a_day_is_one_archive(file: Path, tmp_path: Path) -> None:
     archive = tmp_path / "day.zip"
     said("archive", file, "-o", archive)
@@ -103,12 +139,14 @@ def test_without_a_recording_that_is_said(tmp_path: Path) -> None:
     assert "no recording" in said("list", tmp_path / "a.omote", status=1)
 
 
-@pytest.mark.parametrize(("text", "seconds"), [("12.5", 12.5), ("1:30", 90.0), ("1:02:30", 3750.0), ("90", 90.0)])
+@pytest.mark.parametrize(
+    ("text", "seconds"), [("12.5", 12.5), ("1:30", 90.0), ("1:02:30", 3750.0), ("90", 90.0), ("-20:00", -1200.0)]
+)
 def test_a_time_is_read_as_people_write_it(text: str, seconds: float) -> None:
     assert read_clock(text) == seconds
 
 
-@pytest.mark.parametrize("text", ["", "soon", "1:2:3:4", "-5", "1::2"])
+@pytest.mark.parametrize("text", ["", "soon", "1:2:3:4", "--5", "1::2"])
 def test_what_is_no_time_is_refused(text: str) -> None:
     with pytest.raises(typer.BadParameter, match="no time"):
         read_clock(text)

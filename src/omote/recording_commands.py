@@ -19,44 +19,60 @@ if TYPE_CHECKING:
     from omote.showfile.recording_file import RecordingFile
 
 NameArgument = Annotated[str, typer.Argument(help="A recording that was kept; else what the last start has played.")]
-_CLOCK = re.compile(r"(?:(\d+):)?(?:(\d{1,2}):)?(\d{1,2}(?:\.\d+)?)")
+_CLOCK = re.compile(r"(-?)(?:(\d+):)?(?:(\d{1,2}):)?(\d{1,2}(?:\.\d+)?)")
 
 recording_app = typer.Typer(help="Looks into the recording of a show.", no_args_is_help=True)
 
 
 def read_clock(text: str | float) -> float:
-    """Seconds, from `12.5`, `1:30` or `1:02:30`."""
+    """Seconds, from `12.5`, `1:30` or `1:02:30`; below 0, from `-20:00`, they count from the end."""
     matched = _CLOCK.fullmatch(str(text).strip())
     if matched is None:
-        raise typer.BadParameter(f"{str(text)[:20]!r} is no time; give 1:30 or 1:02:30.5, from the beginning")
-    hours, minutes, seconds = matched.groups()
+        raise typer.BadParameter(
+            f"{str(text)[:20]!r} is no time; give 1:30 or 1:02:30.5, from the beginning, or -20:00, from the end"
+        )
+    sign, hours, minutes, seconds = matched.groups()
     if minutes is None:
         hours, minutes = None, hours
-    return 3600.0 * float(hours or 0) + 60.0 * float(minutes or 0) + float(seconds)
+    length = 3600.0 * float(hours or 0) + 60.0 * float(minutes or 0) + float(seconds)
+    return -length if sign else length
 
 
 FromOption = Annotated[
-    float, typer.Option("--from", parser=read_clock, metavar="TIME", help="Where it begins: 1:30 after the beginning.")
+    float,
+    typer.Option(
+        "--from",
+        parser=read_clock,
+        metavar="TIME",
+        help="Where it begins: 1:30 after the beginning, -20:00 from the end.",
+    ),
 ]
 ToOption = Annotated[
     float | None, typer.Option("--to", parser=read_clock, metavar="TIME", help="Where it ends: 1:02:30; else the end.")
 ]
 
+StartOption = Annotated[
+    int | None,
+    typer.Option("--start", metavar="N", help="Which start of the show (omote recording list); else the last."),
+]
+
 
 @recording_app.command("list")
 def list_recordings(file: ShowFileArgument, json: JsonOption = False) -> None:
-    """Lists what is recorded: the last 100 minutes, what is kept under a name, and markers."""
+    """Lists what is recorded: the last 100 minutes, what is kept under a name, and markers, each with the number of the
+    start of the show."""
     from omote.server.persistence.recorded_runs import describe_recordings
 
     with opened(file) as (_, recorded):
         document = describe_recordings(recorded)
     begins = {span.start: span.written - span.first for span in document.spans}
     rows = [
-        {"what": "kept" if span.name else "ring", "name": span.name, "at": format_time(span.written),
-         "length": told_length(span.seconds)}
+        {"what": "kept" if span.name else "ring", "name": span.name, "start": span.start,
+         "at": format_time(span.written), "length": told_length(span.seconds)}
         for span in (*document.spans, *document.kept)
     ] + [
-        {"what": "marker", "name": mark.name, "at": format_time(begins[mark.start] + mark.at), "length": ""}
+        {"what": "marker", "name": mark.name, "start": mark.start,
+         "at": format_time(begins[mark.start] + mark.at), "length": ""}
         for mark in document.markers
     ]  # fmt: skip
     print_rows(rows, json=json, none=f"nothing of {file} is recorded yet.")
@@ -68,12 +84,13 @@ def keep(
     name: Annotated[str, typer.Argument(help="What it is called.")],
     begin: FromOption = 0.0,
     end: ToOption = None,
+    start: StartOption = None,
 ) -> None:
-    """Keeps what the last start of the show has played under a name, also while it plays; the ring loses it else."""
+    """Keeps what a start of the show has played under a name, also while it plays; the ring loses it else."""
     from omote.showfile.recording_file import KeptRecording
 
     with opened(file) as (show, recorded):
-        span = cut(show, "", begin, end)
+        span = cut(show, "", start, begin, end)
         recorded.keep(KeptRecording(name, span.start, span.first, span.last))
     say(f"{name} is kept: {told_length(span.seconds)} long.")
 
@@ -104,13 +121,19 @@ def forget_sounds(
 
 
 @recording_app.command()
-def check(file: ShowFileArgument, name: NameArgument = "", begin: FromOption = 0.0, end: ToOption = None) -> None:
+def check(
+    file: ShowFileArgument,
+    name: NameArgument = "",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+    start: StartOption = None,
+) -> None:
     """Replays a recording and says whether every state is the one that was sent."""
     from rich.console import Console
     from rich.progress import Progress
 
     with opened(file) as (show, _):
-        span = cut(show, name, begin, end)
+        span = cut(show, name, start, begin, end)
         ticks = 0
         with Progress(console=Console(stderr=True), transient=True) as progress:
             task = progress.add_task("replaying", total=span.seconds)
@@ -118,7 +141,7 @@ def check(file: ShowFileArgument, name: NameArgument = "", begin: FromOption = 0
                 ticks += 1
                 progress.update(task, completed=tick.now - span.first)
                 if tick.same is False:
-                    at = told_length(tick.now - span.first)
+                    at = told_length(tick.now - show.find_span(name, start).first)
                     fail(f"the state {tick.state.number}, {at} after the beginning, is not the one that was sent.")
     say(f"all {ticks} states are those that were sent: {told_length(span.seconds)}.")
 
@@ -129,13 +152,15 @@ def log(
     name: NameArgument = "",
     begin: FromOption = 0.0,
     end: ToOption = None,
+    start: StartOption = None,
     json: JsonOption = False,
 ) -> None:
     """Lists who did what; what a hand sends again and again is one line."""
     with opened(file) as (show, _):
-        span = cut(show, name, begin, end)
+        span = cut(show, name, start, begin, end)
+        whole = show.find_span(name, start)
         rows = [
-            {"at": told_length(line.at - span.first), "who": line.who, "what": line.what, "of": line.of[:120],
+            {"at": told_length(line.at - whole.first), "who": line.who, "what": line.what, "of": line.of[:120],
              "times": line.times}
             for line in show.log(span)
         ]  # fmt: skip
@@ -149,12 +174,13 @@ def curves(
     name: NameArgument = "",
     begin: FromOption = 0.0,
     end: ToOption = None,
+    start: StartOption = None,
 ) -> None:
     """Writes what showed of each character, ten times a second, as a table (CSV), also while the show plays."""
     from omote.server.persistence.recorded_runs import write_curves
 
     with opened(file) as (show, recorded):
-        span = cut(show, name, begin, end)
+        span = cut(show, name, start, begin, end)
         with output.open("x", encoding="utf-8", newline="") as text:
             rows = write_curves(recorded, span.start, span.first, span.last, text)
         if rows == 0:
@@ -169,13 +195,19 @@ def list_notes(
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="A table (.csv), which is not there yet; else they are said.")
     ] = None,
+    start: StartOption = None,
     json: JsonOption = False,
 ) -> None:
-    """Lists the notes (markers) of all that is recorded, with the cue that was called last then."""
+    """Lists the notes (markers) of all that is recorded, or of one start, with the cue that was called last then."""
+    import msgspec
+
     from omote.server.persistence.recorded_runs import describe_recordings, write_markers
 
-    with opened(file) as (_, recorded):
+    with opened(file) as (show, recorded):
         document = describe_recordings(recorded)
+        if start is not None:
+            of_start = [mark for mark in document.markers if mark.start == show.find_played(start).start]
+            document = msgspec.structs.replace(document, markers=of_start)
         if output is not None:
             with output.open("x", encoding="utf-8", newline="") as text:
                 write_markers(document, text)
@@ -199,6 +231,7 @@ def cut_clip(
     name: Annotated[str, typer.Option("--recording", help="A recording that was kept; else the last start.")] = "",
     parts: Annotated[str, typer.Option(help="Only these: brows,eyes,mouth,rest,head,gaze.")] = "",
     lane: Annotated[str, typer.Option(help="What to call the lane.")] = "",
+    start: StartOption = None,
 ) -> None:
     """Cuts a motion clip from what was recorded, into a show file that no show plays."""
     from omote.perform.layers.layer_names import LAYER_PARTS
@@ -206,7 +239,7 @@ def cut_clip(
     from omote.server.recording.recorded_clip import keep_clip
 
     with opened(file) as (show, _):
-        span = cut(show, name, begin, end)
+        span = cut(show, name, start, begin, end)
         wanted = [check_known(part.strip(), LAYER_PARTS, "part") for part in parts.split(",") if part.strip()]
         made = keep_clip(file, show, span, character, clip, parts=wanted, lane=lane)
     say(escape_controls(f"{file} has the clip {clip}, {made.seconds:.2f} s, {len(made.lanes)} lanes."))
@@ -230,6 +263,7 @@ def replay(
     name: NameArgument = "",
     begin: FromOption = 0.0,
     end: ToOption = None,
+    start: StartOption = None,
     beside: Annotated[
         Path | None, typer.Option("--beside", help="Another show file, whose runs are compared with those of this one.")
     ] = None,
@@ -249,7 +283,7 @@ def replay(
         files = [recording_path(path) for path in (file, beside) if path is not None]
         for path in files[1:]:
             open_recording(path).close()  # what cannot be read is said now
-        replay_server.serve(show, cut(show, name, begin, end), files, port, announce)
+        replay_server.serve(show, cut(show, name, start, begin, end), files, port, announce)
 
 
 @contextmanager
@@ -269,15 +303,23 @@ def opened(file: Path) -> Iterator[tuple[RecordedShow, RecordingFile]]:
             recorded.close()
 
 
-def cut(show: RecordedShow, name: str, begin: float, end: float | None) -> Span:
-    """A part of what was recorded. show: the recording; name: of one that is kept; begin, end: seconds from there."""
+def cut(show: RecordedShow, name: str, start: int | None, begin: float, end: float | None) -> Span:
+    """A part of what was recorded. show: the recording; name: of one that is kept; start: of the show, None for the
+    last; begin, end: seconds from there, below 0 from its end."""
     from omote.server.recording.recorded_show import Span
 
-    whole = show.find_span(name)
-    last = whole.last if end is None else min(whole.last, whole.first + end)
-    if whole.first + begin >= last:
-        fail(f"there is nothing between {told_length(begin)} and the end: it is {told_length(whole.seconds)} long.")
-    return Span(whole.start, whole.first + begin, last)
+    whole = show.find_span(name, start)
+    last = whole.last if end is None else min(whole.last, _moment(whole, end))
+    first = max(whole.first, _moment(whole, begin))
+    if first >= last:
+        until = "the end" if end is None else told_length(last - whole.first)
+        length = told_length(whole.seconds)
+        fail(f"there is nothing between {told_length(first - whole.first)} and {until}: it is {length} long.")
+    return Span(whole.start, first, last)
+
+
+def _moment(whole: Span, seconds: float) -> float:
+    return (whole.last if seconds < 0.0 else whole.first) + seconds
 
 
 def told_length(seconds: float) -> str:

@@ -131,8 +131,11 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     editor.get_by_label("Delete action 1").click()
     wait_until(page, f"{CUES}.list[1].actions.length === 0")
     goal.press("Space")  # in a field it is a letter
+    expect(page.locator("omote-cue-go .go")).to_contain_text("Space types in a field: Esc")
     goal.press("Escape")
-    page.keyboard.press("e")
+    expect(page.locator("omote-cue-go .go")).not_to_contain_text("Space types")
+    page.keyboard.press("Escape")
+    expect(editor).to_have_count(0)
 
     # GO by the space bar calls what stands by; the other page sees it, and the picture is that.
     other = cue_page(open_page)
@@ -183,14 +186,16 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     page.locator("omote-cue-list li", has_text="The dog").click()
     call(page, {"type": "call_face", "character": "one", "name": "old", "seconds": 0, "easing": "smooth"})
     wait_until(page, f"{ONE}.faces.old === 1")
-    page.keyboard.press("u")
+    page.keyboard.press("Alt+u")
     wait_until(page, f"{CUES}.list[0].moves['one/face'].goal.old === 1")
     other.get_by_role("button", name="Undo: update cue 1").click()
     wait_until(page, f"{CUES}.list[0].moves['one/face'].goal.dog === 1")
+    page.keyboard.press("Escape")
     page.keyboard.press("a")
     wait_until(page, f"{ONE}.faces.dog === 1", told=f"{ONE}.faces")
 
     # A list is renamed, and goes on as it was.
+    page.keyboard.press("e")
     page.get_by_role("button", name="Rename").click()
     form.get_by_role("textbox", name="Name").fill("evening")
     form.get_by_role("button", name="Rename").click()
@@ -215,6 +220,69 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     # A page that is not heard says so before anybody presses.
     page.evaluate(f"{CUES}.show.setOnline(false)")
     expect(page.locator("omote-cue-go .deaf").first).to_contain_text("Link lost")
+
+
+def test_what_is_typed_while_editing_plays_nothing(open_page: OpenPage) -> None:
+    """New puts the cursor into the label; letters that miss a field play nothing until keys are let play."""
+    page = cue_page(open_page)
+    call(page, {"type": "add_cue_list", "cue_list": "typed"})
+    wait_until(page, f"{CUES}.names.includes('typed')")
+    page.evaluate(f"{CUES}.choose('typed')")
+    call(page, {"type": "put_cue", "number": "1", "label": "One", "cue_list": "typed"})
+    wait_until(page, f"{STANDBY} === '1'", told=STANDBY)
+    page.keyboard.press("e")
+    page.get_by_role("button", name="New", exact=True).click()
+    editor = page.locator("omote-cue-editor")
+    label = editor.get_by_label("Label")
+    expect(label).to_be_focused()
+    page.keyboard.type("Rex looks up (new)")
+    page.keyboard.press("Enter")
+    wait_until(page, f"{CUES}.list[1]?.label === 'Rex looks up (new)'")
+    expect(label).to_be_focused()
+    call(page, {"type": "put_cue", "cue": "", "number": "9", "label": "Another's", "cue_list": "typed"})
+    wait_until(page, f"{NUMBERS} === '1,2,9'", told=NUMBERS)
+    expect(label).to_be_focused()
+    page.keyboard.press("Escape")
+    go = page.locator("omote-cue-go .go")
+    expect(go).not_to_contain_text("Space types")
+    page.keyboard.type("Rex up a pea")
+    expect(editor).to_contain_text("Cue 2")
+    assert page.evaluate(f"[{CUES}.way.current, {CUES}.paused, {CUES}.list[1].moves]") == [None, False, {}]
+    armed = page.locator("omote-cue-go .arm")
+    armed.click()
+    expect(armed).to_contain_text("ON")
+    page.keyboard.press("Space")
+    wait_until(page, f"{CUES}.way.current?.number === '1'")
+    label.click()
+    expect(armed).to_contain_text("off")
+
+
+def test_a_page_that_opens_late_shows_the_cue_that_stands_by(open_page: OpenPage) -> None:
+    """The row is in sight, *Go to* has its number, and a recorded cue leaves an empty form."""
+    page = cue_page(open_page)
+    call(page, {"type": "add_cue_list", "cue_list": "long"})
+    wait_until(page, f"{CUES}.names.includes('long')")
+    for number in range(1, 41):
+        call(page, {"type": "put_cue", "number": str(number), "cue_list": "long"})
+    call(page, {"type": "set_standby", "cue": "36", "cue_list": "long"})
+    late = cue_page(open_page, "?list=long")
+    wait_until(late, f"{CUES}.list.length === 40 && {STANDBY} === '36'", told=STANDBY)
+    expect(late.locator("omote-cue-list li.standby")).to_be_in_viewport()
+    late.get_by_role("button", name="Go to…").click()
+    form = late.locator("omote-cue-form")
+    expect(form.get_by_label("Number")).to_have_value("36")
+    expect(form.get_by_role("checkbox")).to_be_checked()
+    form.get_by_role("button", name="Go to").click()
+    wait_until(late, f"{CUES}.way.current?.number === '36'")
+    late.keyboard.press("Escape")
+    late.keyboard.press("e")
+    late.get_by_role("button", name="Record").click()
+    form.get_by_label("Label").fill("Later")
+    form.get_by_role("checkbox", name="One").check()
+    form.get_by_role("button", name="Record").click()
+    wait_until(late, f"{CUES}.list.some(({{ label }}) => label === 'Later')")
+    expect(form.get_by_label("Label")).to_have_value("")
+    expect(form.get_by_role("checkbox", name="One")).not_to_be_checked()
 
 
 @pytest.mark.parametrize(("view", "width", "height", "query"), SIZES, ids=[view for view, *_ in SIZES])

@@ -525,6 +525,22 @@ def test_a_cue_is_recorded_from_preview_behind_the_one_that_is_looked_at(cued: S
     assert recorded[2].moves.keys() == {"two/expression"}
 
 
+def test_cues_recorded_in_preview_one_after_the_other_stand_so(cued: Show) -> None:
+    """The one that was recorded is looked at from then on: the next has what was changed since."""
+    cued.obey("ana", PreviewCue(cued.id(), "2"))
+    for expression in EXPRESSIONS[:2]:
+        cued.obey("ana", calls.CallExpression("two", cued.id(), expression, 0.0))
+        cued.run(FRAME)
+        cued.obey("ana", cues.RecordCue(cued.id()))
+    recorded = cued.session.cues.book.cues_of("main")
+    assert [cue.number for cue in recorded] == ["1", "2", "2.5", "2.6", "3"]
+    assert [dict(cue.moves["two/expression"].goal) for cue in recorded[2:4]] == [{e: 1.0} for e in EXPRESSIONS[:2]]
+    unseen = cued.run(FRAME)[1]
+    assert unseen is not None
+    assert unseen.looked_at is not None
+    assert unseen.looked_at.number == "2.6"
+
+
 def test_a_cue_runs_in_preview_in_its_times(cued: Show) -> None:
     [first, *_] = cued.session.cues.book.cues_of("main")
     cued.obey("air", cues.PutMove(cued.id(), first.identity, "one/face", {FACES[1]: 1.0}, seconds=1.0, delay=0.5))

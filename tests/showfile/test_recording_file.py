@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sqlite3
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -70,3 +72,19 @@ def test_what_is_no_recording_is_refused_and_left_alone(tmp_path: Path) -> None:
     with pytest.raises(ShowFileError, match="no recording of a show"):
         open_recording(path, new=True)
     assert path.read_bytes()[100:] == before[100:]
+
+
+def test_another_process_that_looks_takes_nothing_from_one_that_writes_and_looks(tmp_path: Path) -> None:
+    """To close any descriptor of a file drops all locks that a process has of it: whoever came next from outside then
+    took itself for the last one, and deleted the log under the writer."""
+    path = recording_path(tmp_path / "show.omote")
+    writer = open_recording(path, new=True)
+    start = writer.begin_start(1e9, 0.0, "test")
+    open_recording(path).close()  # as pages do that compare runs
+    look = "import sys, pathlib; from omote.showfile.recording_file import open_recording as o; "
+    subprocess.run([sys.executable, "-c", f"{look}o(pathlib.Path(sys.argv[1])).close()", str(path)], check=True)
+    writer.begin_piece(start, 0.0)
+    reader = open_recording(path)
+    assert [piece.first for piece in reader.pieces()] == [0.0]
+    reader.close()
+    writer.close()

@@ -114,7 +114,9 @@ def decays(starts: Values, rates: Values, goals: Values, seconds: float | None, 
     between start and goal), so the longest decay is the least room over velocity * bump.
     """
     longest = DECAY_SECONDS if seconds is None else min(seconds, DECAY_SECONDS)
-    starts, rates, goals = starts[:, None], rates[:, None], goals[:, None]
+    starts = starts[:, None]
+    rates = rates[:, None]
+    goals = goals[:, None]
     towards = (goals - starts) * rates > 0.0
     base = starts + np.where(towards, goals - starts, 0.0) * (1.0 if seconds is None else _sample_easing(easing))
     room = np.where(rates > 0.0, HIGHEST - base, base - LOWEST)

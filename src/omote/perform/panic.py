@@ -62,7 +62,8 @@ def at_speed(found: EasingToRest, soon: Frame, later: Frame, dt: float) -> Easin
     """
     moving = dict[Part, dict[str, Carried]]()
     for part in _PARTS:
-        after, last = _numbers(soon, part), _numbers(later, part)
+        after = _numbers(soon, part)
+        last = _numbers(later, part)
         speeds = dict[str, float]()
         for name, value in _numbers(found, part).items():
             first = (after.get(name, 0.0) - value) / dt

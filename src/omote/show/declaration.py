@@ -22,7 +22,7 @@ from omote.perform.called_names import find_called
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import LONGEST_CALL, check_known, check_within
 from omote.perform.performer import Performer
-from omote.perform.scene.character_names import ALL
+from omote.perform.scene.character_names import ALL, check_character
 from omote.perform.scene.scene import Scene
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import HIGHEST, AccessRole
@@ -85,6 +85,7 @@ class Session(Protocol):
     members: Any
     sources: Any
     sounds: Any
+    named_sounds: Any
     texts: Any
     leasing: Any
     notes: Any
@@ -315,4 +316,4 @@ def characters_of(scene: Scene, character: str) -> tuple[str, ...]:
     if character in scene:
         return (character,)
     names = tuple(scene)
-    return names if character == ALL else (check_known(character, names, "character"),)
+    return names if character == ALL else (check_character(character, scene.labels),)

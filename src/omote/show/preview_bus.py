@@ -126,6 +126,11 @@ class PreviewBus:
             self._players = (player,)
         return lost
 
+    def go_on_at(self, looked_at: LookedAt) -> None:
+        """Looks at the cue that was recorded of it; nothing moves."""
+        self.touched = True
+        self.looked_at = looked_at
+
     def recast(self, other: Playable) -> Scene | None:
         """Its scene as another cast plays it, to be given to `play`, None where nothing was set; ValueError where that
         lacks what is called."""

@@ -315,8 +315,12 @@ def default_path(environment: Mapping[str, str] = os.environ) -> Path:
 
 def make_private(path: Path) -> None:
     """Makes an empty file that its owner alone may read: faces are those of people. Nothing where there is one. OSError
-    where it cannot be made."""
-    os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
+    where it cannot be made.
+
+    What is there is not even opened: to close it would drop all locks that SQLite has of it in this process.
+    """
+    with contextlib.suppress(FileExistsError):
+        os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
 
 
 def _connect(path: Path) -> sqlite3.Connection:

@@ -124,7 +124,7 @@ def test_what_is_written_is_read_back_as_it_was(cues: CueList) -> None:
 def test_what_all_cues_have_is_left_out() -> None:
     cue = Cue("1", "1", {"one/face": Move({"dog": 1.0}), "*/black": Move({"black": 1.0}, 0.0)})
     assert format_cues([cue]) == HEADING + (
-        '\n[[cue]]\nnumber = "1"\n[cue.moves]\n"*/black" = { to = 1.0, seconds = 0.0 }\n"one/face" = { to = "dog" }\n'
+        '\n[[cue]]\nnumber = "1"\n[cue.moves]\n"one/face" = { to = "dog" }\n"*/black" = { to = 1.0, seconds = 0.0 }\n'
     )
 
 
@@ -273,15 +273,16 @@ def test_a_file_is_written_and_read_and_named_where_it_is_wrong(tmp_path: Path) 
         read_cues(tmp_path / "none.toml")
 
 
-def test_a_running_order_has_a_line_for_each_cue_that_plays() -> None:
+def test_a_running_order_has_a_line_for_each_cue_with_what_it_moves() -> None:
     done = (CueAction("midi", "Pad", "90 3C 7F"), CueAction("say", "one", "Ho"))
     cues = [
-        Cue("1", "1", label="Dog, then cat", goes_on="follow"),
-        Cue("2", "2", skip=True),
+        Cue("1", "1", {"one/face": Move({"dog": 1.0}, 2.0, delay=0.5)}, "Dog, then cat", goes_on="follow"),
+        Cue("2", "2", {"one/expression": Move({"joy": 0.5, "neutral": 0.5})}, skip=True, colour="red"),
         Cue("3.5", "3.5", actions=done),
     ]
     assert format_running_order(cues).splitlines() == [
-        "number,label,pre_wait,goes_on,post_wait,note,moves,actions",
-        '1,"Dog, then cat",0.0,follow,0.0,,,',
-        "3.5,,0.0,,0.0,,,midi Pad 90 3C 7F; say one Ho",
+        "number,label,pre_wait,goes_on,post_wait,note,skip,colour,moves,actions",
+        '1,"Dog, then cat",0.0,follow,0.0,,,,one/face dog 2 s after 0.5 s,',
+        '2,,0.0,,0.0,,yes,red,"one/expression { joy = 0.5, neutral = 0.5 } 1 s",',
+        "3.5,,0.0,,0.0,,,,,midi Pad 90 3C 7F; say one Ho",
     ]

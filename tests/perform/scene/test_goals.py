@@ -22,7 +22,16 @@ PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in
         ("one/tail", {}, "there is no part 'one/tail'; expected CHARACTER/face"),
         ("one/light", {}, "there is no part 'one/light'"),
         ("face", {}, "there is no part 'face'"),
-        ("one/head", {"yaw": 0.0}, "the goal of one/head has yaw; expected yaw, pitch, roll"),
+        (
+            "one/head",
+            {"yaw": 0.0},
+            "the goal of one/head has yaw; expected yaw, pitch, roll; add pitch = 0, roll = 0",
+        ),
+        (
+            "one/head",
+            {"yaw": 20.0, "pitch": 0.0, "roll": 0.0},
+            r"yaw of one/head \(radians; 1 is 57.3 degrees\) is 20.0",
+        ),
         ("*/black", {"black": 2.0}, r"black of \*/black is 2.0; give a number from 0 to 1"),
         ("one/face", {"a": 0.5}, "the weights of one/face sum to 0.5"),
         ("one/face", {}, "the weights of one/face sum to 0"),

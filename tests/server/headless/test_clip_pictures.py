@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import shutil
 import subprocess
+import wave
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -21,6 +23,7 @@ from omote.perform.clips.motion_curve import make_curve
 from omote.server.headless import clip_pictures
 from omote.server.headless.clip_pictures import (
     ClipPictures,
+    FilmSound,
     begin_pictures,
     count_frames,
     draw_clip,
@@ -89,6 +92,34 @@ def test_the_alpha_of_a_film_is_within_two_of_255(tmp_path: Path, ending: str, d
     sidecar = msgspec.json.decode((tmp_path / f"{film.name}.frames.json").read_bytes(), type=ClipPictures)
     assert sidecar.frames == {"00000.png": 0.0, "00001.png": 0.04}
     assert {path.name for path in tmp_path.iterdir()} == {film.name, f"{film.name}.frames.json"}
+
+
+def tone(silent: float, seconds: float) -> bytes:
+    """A WAV, 48 kHz, of silence and then a tone of 1 kHz."""
+    samples = np.zeros(round(48000 * (silent + seconds)), "<i2")
+    loud = samples[round(48000 * silent) :]
+    loud[:] = 16000 * np.cos(2.0 * np.pi * 1000.0 * np.arange(len(loud)) / 48000)
+    whole = io.BytesIO()
+    with wave.open(whole, "wb") as file:
+        file.setnchannels(1)
+        file.setsampwidth(2)
+        file.setframerate(48000)
+        file.writeframes(samples.tobytes())
+    return whole.getvalue()
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+@pytest.mark.parametrize("ending", [".mov", ".webm"])
+@pytest.mark.parametrize(("silent", "at", "begins"), [(0.0, 0.02, 0.02), (0.5, -0.45, 0.05), (0.5, -0.5, 0.0)])
+def test_a_film_has_the_sound_of_its_clip_in_its_place_and_as_long_as_the_pictures(
+    tmp_path: Path, ending: str, silent: float, at: float, begins: float
+) -> None:
+    film = tmp_path / f"line1{ending}"
+    film_clip(film, edge, FilmSound(tone(silent, 1.0), at))
+    read = ["ffmpeg", "-v", "error", "-i", str(film), "-vn", "-ac", "1", "-ar", "48000", "-f", "f32le", "-"]
+    heard = np.frombuffer(subprocess.run(read, capture_output=True, check=True).stdout, "<f4")
+    assert len(heard) / 48000 == pytest.approx(0.08, abs=0.021)  # Opus has frames of 20 ms
+    assert np.argmax(np.abs(heard) > 0.2) / 48000 == pytest.approx(begins, abs=0.004)
 
 
 def test_a_folder_goes_on_for_the_same_request_alone(tmp_path: Path) -> None:

@@ -58,7 +58,10 @@ def test_a_file_that_a_show_plays_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
     lock = lock_show(path)
     with (
-        pytest.raises(ShowLockedError, match=r"another Omote plays .* by its console and its editor"),
+        pytest.raises(
+            ShowLockedError,
+            match=r"another Omote plays .* by its console and its editor, and a list of cues by its server",
+        ),
         open_offline_show(path, new=True),
     ):
         pass

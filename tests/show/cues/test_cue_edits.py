@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
+from omote.perform.cues.cue import Cue, Move
+from omote.perform.cues.cue_action import CueAction
+from omote.perform.limits import HEAD_LIMITS
+from omote.show.cues.cue_edits import shown_goals
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as wire
 from omote.show.objects.link import Hello, Refused
@@ -12,6 +18,7 @@ from tests import synthetic
 
 CAST = synthetic.cast()
 FACE = tuple(CAST.faces)[1]
+EXPRESSION = tuple(CAST.expressions)[-1]
 
 
 @pytest.fixture
@@ -48,6 +55,79 @@ def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
     assert "there is no part 'one/nose'" in reason(session, wire.RecordCue("a2", parts=["one/nose"]))
 
 
+def test_a_record_that_finds_nothing_is_refused(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    assert "nothing to record" in reason(session, wire.RecordCue("a2"))
+    assert len(session.cues.book.cues) == 1
+
+
+def test_a_cue_of_all_of_a_character_brings_all_of_it_back_whatever_was_played_since(session: ShowSession) -> None:
+    """Also what is as in a new show, which a preset is recorded from; regions go with the whole expression."""
+    session.receive("ana", wire.RecordCue("a1", parts=["one"]), 0.0)
+    (preset,) = session.cues.book.cues.values()
+    assert not [part for part in preset.moves if part.rpartition("/")[2] in ("brows", "eyes", "mouth", "rest")]
+    begun = {part: goal for part, goal in shown_goals(session.scene).items() if part.startswith("one/")}
+    one = session.scene["one"]
+    one.look_at("direction", yaw=0.25)
+    one.set_layer("tracker", influence=0.5)
+    for part, goal in (("face", {FACE: 1.0}), ("brows", {EXPRESSION: 1.0}), ("presence", {"presence": 0.5})):
+        session.scene.call_goal(f"one/{part}", goal, seconds=0.0)
+    session.scene.call_goal("one/head", {"yaw": 0.1, "pitch": 0.2, "roll": 0.3}, seconds=0.0)
+    session.receive("ana", wire.Go("b1"), 1.0)
+    for tick in range(120):
+        session.tick(1.0 + tick / 60.0)
+    assert {part: goal for part, goal in shown_goals(session.scene).items() if part.startswith("one/")} == begun
+
+
+def test_numbers_are_recorded_with_four_decimals_and_within_their_ranges(session: ShowSession) -> None:
+    """What is recorded stands there then: an update finds nothing else."""
+    highest = dict(HEAD_LIMITS)
+    for call, goal in (("a1", {"yaw": 0.349065850398, "pitch": -0.1000000001, "roll": 0.0}), ("a2", highest)):
+        session.scene.call_goal("one/head", goal, seconds=0.0)
+        session.receive("ana", wire.RecordCue(call), 0.0)
+    first, second = session.cues.book.cues_of("main")
+    assert first.moves["one/head"].goal == {"yaw": 0.3491, "pitch": -0.1, "roll": 0.0}
+    assert second.moves["one/head"].goal == pytest.approx(highest, abs=1e-4)
+    session.receive("ana", wire.UpdateCue("a3", second.identity), 0.0)
+    assert session.cues.book.cues[second.identity] == second
+
+
+def test_characters_are_called_by_their_labels_in_every_edit(session: ShowSession) -> None:
+    """Also in a text that is taken in, and in a show file of one; nobody of a label is refused with all that are."""
+    session.scene.rename("one", "Anna")
+    session.receive("ana", wire.RecordCue("a1", parts=["Anna", "*/light"]), 0.0)
+    (identity,) = session.cues.book.cues
+    session.receive("ana", wire.PutMove("a2", identity, "anna/face", {FACE: 1.0}), 0.0)
+    session.receive("ana", wire.PutCue("a3", identity, actions=[CueAction("say", "Anna", "Hello")]), 0.0)
+    cue = session.cues.book.cues[identity]
+    assert {part.rpartition("/")[0] for part in cue.moves} == {"one", "*"}
+    assert (cue.moves["one/face"].goal, cue.actions[0].to) == ({FACE: 1.0}, "one")
+    session.receive("ana", wire.DropMove("a4", identity, "Anna/face"), 0.0)
+    assert "one/face" not in session.cues.book.cues[identity].moves
+    taken = Cue("b", "1", {"Anna/face": Move({FACE: 1.0})})
+    session.cues.take_in("other", [taken], "a file")
+    session.cues.load(
+        replace(
+            session.cues.book,
+            cues={**session.cues.book.cues, identity: replace(cue, moves={"Anna/face": Move({FACE: 1.0})})},
+        )
+    )
+    assert [list(cue.moves) for cue in session.cues.book.cues.values()] == [["one/face"]] * 2
+    assert "there is no character 'Carl' in this scene, which has one (Anna)" in reason(
+        session, wire.RecordCue("a5", parts=["Carl"])
+    )
+
+
+def test_moves_stand_character_by_character_in_the_order_of_the_show(session: ShowSession) -> None:
+    session.scene.add("aki")
+    session.receive("ana", wire.PutCue("a1", number="1"), 0.0)
+    (identity,) = session.cues.book.cues
+    goals = {"aki/face": {FACE: 1.0}, "*/black": {"black": 1.0}, "one/brows": {}, "one/expression": {EXPRESSION: 1.0}}
+    for call, (part, goal) in enumerate(goals.items()):
+        session.receive("ana", wire.PutMove(f"b{call}", identity, part, goal), 0.0)
+    assert list(session.cues.book.cues[identity].moves) == ["one/expression", "one/brows", "aki/face", "*/black"]
+
+
 def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracked(session: ShowSession) -> None:
     """What a new show has is left out of a first recording, and written where a cue before has left it otherwise."""
     one = session.scene["one"]
@@ -57,9 +137,8 @@ def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracke
     session.receive("ana", wire.RecordCue("a2"), 0.0)
     one.look_at("ahead")
     one.set_layer("tracker", influence=1.0)
-    for call, parts in (("a3", []), ("a4", ["one"])):
-        session.receive("ana", wire.RecordCue(call, parts=parts), 0.0)
-    first, second, third, whole = session.cues.book.cues_of("main")
+    session.receive("ana", wire.RecordCue("a3"), 0.0)
+    first, second, third = session.cues.book.cues_of("main")
     assert not [part for part in first.moves if part.endswith("/look") or "layer:" in part]
     goals = [{part: dict(move.goal) for part, move in cue.moves.items()} for cue in (second, third)]
     regions = ("brows", "eyes", "mouth", "rest", "head", "gaze")
@@ -67,8 +146,6 @@ def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracke
         {"one/layer:tracker": dict.fromkeys(regions, 0.5), "one/look": {"yaw": 0.25, "pitch": 0.0}},
         {"one/layer:tracker": dict.fromkeys(regions, 1.0), "one/look": {"ahead": 1.0}},
     ]
-    assert "one/face" in whole.moves
-    assert not [part for part in whole.moves if "layer:" in part]  # as the third has left them
     for call, cue in (("b1", "2"), ("b2", "3")):
         session.receive("ana", wire.GoToCue(call, cue, whole=True), 1.0 + float(cue))
         session.tick(1.0 + float(cue))

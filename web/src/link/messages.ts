@@ -444,7 +444,8 @@ export type DropMove = { type: "drop_move"; id: string; cue: string; part: strin
 /**
  * Writes a new cue of what shows to its sender, on air or in preview: the parts that stand otherwise than the cues
  * before it leave them, or those that `parts` names (`one/face`, `one` for all of a character). `number`: "" for the
- * next free one behind the cue that was called last, in preview behind the one that is looked at.
+ * next free one behind the cue that was called last, in preview behind the one that is looked at, which is the new one
+ * from then on.
  */
 export type RecordCue = {
   type: "record_cue";
@@ -1333,6 +1334,33 @@ export type PlaySound = {
 export type StopSpeaking = { type: "stop_speaking"; character: string; id?: string };
 
 /**
+ * A sound that the show file keeps: its name, its key and its seconds. `former`: names that it had before, by which
+ * clips and cues find it still.
+ */
+export type NamedSound = { name: string; sound: string; seconds: number; former: string[] };
+
+/**
+ * The sounds that the show file keeps, sorted by name: complete, to consoles after the welcome and with each
+ * change. One is sent to `/sounds?name=NAME`, and `GET /sounds/KEY` gives its bytes.
+ */
+export type Sounds = { type: "sounds"; sounds: NamedSound[] };
+
+/** Answers drop_sound: who needs the sound, clips and cues in words, and is silent now. */
+export type SoundDropped = { type: "sound_dropped"; name: string; needed_by: string[] };
+
+/** Gives a sound another name, which none has yet. Clips and cues that name it find it still. */
+export type RenameSound = { type: "rename_sound"; id: string; name: string; to: string };
+
+/**
+ * Takes a sound out of the show; `restore_sound` brings it back until the server restarts. Answered with
+ * `sound_dropped` too: clips and cues that need it are silent.
+ */
+export type DropSound = { type: "drop_sound"; id: string; name: string };
+
+/** Brings back the sound that was dropped last under a name. */
+export type RestoreSound = { type: "restore_sound"; id: string; name: string };
+
+/**
  * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
  * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
  * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
@@ -1914,6 +1942,9 @@ export type FromClient =
   | Say
   | PlaySound
   | StopSpeaking
+  | RenameSound
+  | DropSound
+  | RestoreSound
   | Drawing;
 
 export type FromServer =
@@ -1939,6 +1970,8 @@ export type FromServer =
   | SourceIs
   | Sources
   | SourceValues
+  | Sounds
+  | SoundDropped
   | Crew
   | PlaysSound
   | CastChanged

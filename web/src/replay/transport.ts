@@ -39,6 +39,7 @@ const WORDS: Record<string, string> = {
   go: "GO",
   go_back: "BACK",
   go_to_cue: "GO TO",
+  follow_cue: "followed:",
   panic: "PANIC",
   begin_show: "the show begins",
   mark_moment: "marked",

@@ -49,6 +49,22 @@ export function isTyping(event: Event): boolean {
   return event.composedPath().some((target) => target instanceof HTMLElement && isField(target, chord));
 }
 
+/** Whether keys go to a field now, also to a box, which takes the space bar. */
+export function hasFieldFocus(): boolean {
+  const focused = focusedElement();
+  return focused !== null && (isField(focused, false) || isBox(focused));
+}
+
+/** The element that has the focus, in whatever element it stands. */
+export function focusedElement(): HTMLElement | null {
+  let focused = document.activeElement;
+  while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+  return focused instanceof HTMLElement ? focused : null;
+}
+
+/** A box that is ticked: the space bar is its own. */
+export const isBox = (target: EventTarget): boolean => target instanceof HTMLInputElement && target.type === "checkbox";
+
 /** A choice has letters, digits and arrows of its own, but nothing to undo. */
 const isField = (element: HTMLElement, chord: boolean): boolean =>
   element instanceof HTMLSelectElement ? !chord : isTextField(element);

@@ -39,7 +39,7 @@ STOP = "stop"
 CLIP_FIELDS = ("clip", "start", "speed", "loop", "parts")
 """What it says of a clip that plays otherwise than the clip itself says."""
 HEADING = "# Cues of an Omote show (docs/howto/cues.md)."
-RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note")
+RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note", "skip", "colour")
 """The columns of a running order."""
 
 _ACTION = re.compile(r"\s*\{")
@@ -154,15 +154,24 @@ def format_cues(cues: Iterable[Cue]) -> str:
 
 
 def format_running_order(cues: Iterable[Cue]) -> str:
-    """A running order as comma-separated values, a line for each cue that is not skipped, with a heading."""
+    """A running order as comma-separated values, a line for each cue with its moves in words, and a heading."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     table.writerow((*RUNNING_ORDER, *TABLES))
     for cue in cues:
-        if not cue.skip:
-            actions = "; ".join(f"{action.does} {action.to} {action.what}" for action in cue.actions)
-            table.writerow((*(getattr(cue, name) for name in RUNNING_ORDER), " ".join(cue.moves), actions))
+        values = [getattr(cue, name) for name in RUNNING_ORDER]
+        moves = "; ".join(_describe_move(part, move) for part, move in cue.moves.items())
+        actions = "; ".join(f"{action.does} {action.to} {action.what}" for action in cue.actions)
+        told = [("yes" if value else "") if isinstance(value, bool) else value for value in values]
+        table.writerow((*told, moves, actions))
     return text.getvalue()
+
+
+def _describe_move(part: Part, move: Move) -> str:
+    """A move in words, as `one/face dog 2 s after 0.5 s`."""
+    goal = _format_goal(part, move.goal).replace('"', "")
+    after = f" after {move.delay:g} s" if move.delay else ""
+    return f"{part} {goal} {move.seconds:g} s{after}"
 
 
 def _line_of(sentence: str) -> int:

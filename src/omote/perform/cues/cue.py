@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, get_args
 
 from omote.perform.cues.cue_action import CueAction, check_actions
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import LONGEST_CALL, check_known, check_switch, check_within
-from omote.perform.scene.goals import Goal, Part, check_goal, rank_of
+from omote.perform.scene.character_names import ALL
+from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, Goal, Part, check_goal
 
 GoesOn = Literal["", "continue", "follow"]
 """What comes after a cue by itself: nothing; the next one, counted from its begin (auto-continue); the next one,
@@ -85,7 +86,7 @@ class Cue:
     number : str
         Decimal, 0 to 99999 and at most three decimals, as "12.5".
     moves : mapping of Move
-        By part, as of `Scene.goal_of`.
+        By part, as of `Scene.goal_of`; they are kept character by character, as these come first, the scene last.
     label, note, colour : str
         For people, to 80, 400 and 20 characters.
     pre_wait : float
@@ -140,7 +141,7 @@ class Cue:
             if len(getattr(self, name)) > most:
                 raise ValueError(f"the {name} of the cue {self.number} is longer than {most} characters; shorten it")
         object.__setattr__(self, "actions", check_actions(self.actions))
-        ordered = sorted(self.moves, key=rank_of)
+        ordered = in_order(self.moves)
         for part in ordered:
             check_goal(part, self.moves[part].goal)
         object.__setattr__(self, "moves", {part: self.moves[part] for part in ordered})
@@ -158,6 +159,8 @@ class Cue:
             return None
         return self.pre_wait + (self.length if self.goes_on == "follow" else 0.0) + self.post_wait
 
+
+_PLACES = {name: place for place, name in enumerate((*CHARACTER_PARTS, *SCENE_PARTS))}
 
 CueList = tuple[Cue, ...]
 """In the order in which GO plays them."""
@@ -184,6 +187,21 @@ def check_cues(cues: Sequence[Cue]) -> CueList:
         if twice:
             raise ValueError(f"two cues have the {what} {twice[0]}; give one of them another")
     return tuple(cues)
+
+
+def in_order(parts: Iterable[Part], characters: Iterable[str] = ()) -> list[Part]:
+    """Parts as people read them: character by character, each from its face on (a whole expression before its
+    regions, which it takes along), the scene last. parts: which; characters: who come first; all others as they
+    come."""
+    listed = list(parts)
+    owners = [*characters, *(part.rpartition("/")[0] for part in listed)]
+    places = {owner: place for place, owner in enumerate(dict.fromkeys(owners))}
+
+    def rank(part: Part) -> tuple[bool, int, int]:
+        owner, _, name = part.rpartition("/")
+        return owner == ALL, places[owner], _PLACES.get(name, len(_PLACES))
+
+    return sorted(listed, key=rank)
 
 
 def is_of(part: Part, characters: Sequence[str]) -> bool:

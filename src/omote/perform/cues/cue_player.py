@@ -9,6 +9,7 @@ from dataclasses import replace
 from omote.perform.cues import cue_state as of_list
 from omote.perform.cues.cue import Cue, CueList, check_cues
 from omote.perform.cues.cue_action import CueAction
+from omote.perform.cues.cue_names import named_cues
 from omote.perform.cues.cue_state import CueState, place_of
 from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.scene.goals import WITH_FACE, Goal, Part
@@ -29,7 +30,7 @@ class CuePlayer:
     scene : Scene
         The scene.
     cues : sequence of Cue
-        In the order in which GO plays them.
+        In the order in which GO plays them; characters by name or by label.
 
     Raises
     ------
@@ -55,7 +56,7 @@ class CuePlayer:
 
     def __init__(self, scene: Scene, cues: Sequence[Cue]) -> None:
         self.scene = scene
-        self.cues: CueList = check_cues(cues)
+        self.cues: CueList = check_cues(named_cues(cues, scene.labels))
         self.state: CueState = of_list.begin(self.cues)
         self.rejected: tuple[str, ...] = ()
         """What could not be called by the last act, in sentences: one move that cannot costs that move."""
@@ -201,7 +202,7 @@ class CuePlayer:
         >>> player.standby.number
         '2'
         """
-        after = check_cues(cues)
+        after = check_cues(named_cues(cues, self.scene.labels))
         self._play(lambda state: of_list.edited(state, self.cues, after))
         self.cues = after
 

@@ -48,8 +48,21 @@ def find_character(typed: str, labels: Mapping[str, str]) -> str:
         return matches[0]
     if matches:
         raise ValueError(f"the character {typed[:80]!r} could be {' or '.join(matches)}; give one of these names")
+    raise ValueError(explain_missing(typed, labels))
+
+
+def check_character(name: str, labels: Mapping[str, str]) -> str:
+    """Returns the name of a character; ValueError with all that there are, by name and label, where there is none.
+    labels: what people call each, by name."""
+    if name in labels:
+        return name
+    raise ValueError(explain_missing(name, labels))
+
+
+def explain_missing(typed: str, labels: Mapping[str, str]) -> str:
+    """That nobody is called so, and who there is. typed: what was written; labels: what people call each, by name."""
     there = ", ".join(describe_character(name, label) for name, label in labels.items())
-    raise ValueError(f"there is no character {typed[:80]!r} in this scene, which has {there}")
+    return f"there is no character {typed[:80]!r} in this scene, which has {there or 'none'}"
 
 
 def describe_character(name: str, label: str) -> str:

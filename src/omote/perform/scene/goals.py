@@ -121,8 +121,12 @@ def check_goal(part: Part, goal: Goal) -> Goal:
         return goal_of_target(target_of_goal(dict(goal)))
     if ranges is not None:
         if goal.keys() != ranges.keys():
-            raise ValueError(f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}")
-        return {name: check_within(goal[name], *ranges[name], f"{name} of {part}") for name in ranges}
+            missing = [f"{name} = 0" for name in ranges if name not in goal] if goal.keys() < ranges.keys() else []
+            said = f"; add {', '.join(missing)} for what stays at 0" if missing else ""
+            raise ValueError(
+                f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}{said}"
+            )
+        return {name: check_within(goal[name], *ranges[name], _number_of(part, name)) for name in ranges}
     if not goal and (expression_of(part) or passes(part)):
         return WITH_FACE
     if passes(part):
@@ -131,6 +135,13 @@ def check_goal(part: Part, goal: Goal) -> Goal:
     if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
         raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")
     return mix
+
+
+def _number_of(part: Part, name: str) -> str:
+    """A number of a part in words, with its unit where people would take another for it."""
+    of = part.rpartition("/")[2]
+    is_angle = of in TURN_LIMITS or (of == "place" and name == "turn")
+    return f"{name} of {part} (radians; 1 is 57.3 degrees)" if is_angle else f"{name} of {part}"
 
 
 def check_names(goal: Goal, names: Iterable[str], what: str) -> None:

@@ -12,7 +12,7 @@ from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import check_call_seconds, check_known, check_within
 from omote.perform.scene import movement
-from omote.perform.scene.character_names import ALL, framing_of, names_in
+from omote.perform.scene.character_names import ALL, check_character, framing_of, names_in
 from omote.perform.scene.clip_goals import clip_of_goal
 from omote.perform.scene.goals import (
     BLACK_LIMITS,
@@ -125,11 +125,11 @@ class SceneGoals(SceneClips):
         elif name == "light":
             check_names(checked, LIGHTS, "light")
         elif name == "clip":
-            check_known(character, self._characters, "character")
+            self._present(character)
             if checked:
                 check_known(clip_of_goal(checked).name, self._clips, "clip")
         elif character != ALL:
-            self._characters[check_known(character, self._characters, "character")].check_call(part, checked)
+            self._characters[self._present(character)].check_call(part, checked)
         return checked
 
     def call_goal(
@@ -233,7 +233,7 @@ class SceneGoals(SceneClips):
         >>> scene.channels_of("one")
         {'jawOpen': 0.4}
         """
-        return self._characters[check_known(name, self._characters, "character")].channels_goal
+        return self._characters[self._present(name)].channels_goal
 
     def call_channels(
         self, name: str, weights: Mapping[str, float], *, seconds: float = 1.0, easing: str = DEFAULT_EASING
@@ -265,7 +265,7 @@ class SceneGoals(SceneClips):
         >>> round(scene.advance(0.5).characters["one"].frame.channels["jawOpen"], 3)
         0.2
         """
-        character = self._characters[check_known(name, self._characters, "character")]
+        character = self._characters[self._present(name)]
         find_easing(easing)
         character.call_channels(character.check_channels(weights), check_call_seconds(seconds), easing)
 
@@ -308,8 +308,12 @@ class SceneGoals(SceneClips):
     def _scene_axis(self, name: str) -> Axis:
         return self._light if name == "light" else self._framing
 
+    def _present(self, name: str) -> str:
+        """The name of a character that is there; ValueError, with the names and labels of all, for another."""
+        return check_character(name, {each: self._standings[each].label for each in self._characters})
+
     def _standing(self, name: str) -> Standing:
-        return self._standings[check_known(name, self._characters, "character")]
+        return self._standings[self._present(name)]
 
     def _stand(self, name: str, **changes: Any) -> None:
         self._standings[name] = replace(self._standing(name), **changes)

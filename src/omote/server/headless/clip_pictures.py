@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -28,6 +28,8 @@ FILMS = {
 }
 """What ffmpeg is told, by the ending of the film. Both keep alpha within 1 of 255. VP9 with losses (crf 20) is off by
 64 at edges for a seventh of the bytes. ffmpeg's own decoder of VP9 gives no alpha: read it with `-c:v libvpx-vp9`."""
+FILM_SOUNDS = {".mov": ("-c:a", "pcm_s16le"), ".webm": ("-c:a", "libopus", "-b:a", "160k")}
+"""What ffmpeg is told of sounds: without losses as the pictures are, where the container has that."""
 SIDECAR = "frames.json"
 MOST_FRAMES = 20_000
 
@@ -51,6 +53,15 @@ class ClipPictures(msgspec.Struct, frozen=True, kw_only=True):
     quality: str
     frames: dict[str, float]
     pictures: dict[str, str] = msgspec.field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class FilmSound:
+    """What is heard in a film. data: the bytes of the sound; at: when it begins, seconds of the film, below 0: so long
+    before it."""
+
+    data: bytes
+    at: float
 
 
 def play_frames(cast: Cast, clip: Clip, *, face: str, rate: float) -> Iterator[tuple[float, Frame]]:
@@ -159,24 +170,43 @@ def find_ffmpeg() -> str:
     return path
 
 
-def film_command(ffmpeg: str, folder: Path, film: Path, rate: float) -> list[str]:
+def film_command(
+    ffmpeg: str, folder: Path, film: Path, rate: float, sound: Sequence[str] = (), heard: Sequence[str] = ()
+) -> list[str]:
     """The command that makes a film of a folder of pictures. ffmpeg: its path; film: what is written; rate: frames of a
-    second."""
+    second; sound, heard: what it is told of a sound that comes in, and of what is written of it (`sound_options`)."""
     begin = [ffmpeg, "-y", "-v", "error", "-framerate", f"{rate:.9g}", "-i", str(folder / "%05d.png")]
-    return [*begin, *FILMS[film.suffix.lower()], str(film)]
+    return [*begin, *sound, *FILMS[film.suffix.lower()], *heard, str(film)]
 
 
-def film_clip(film: Path, draw: Callable[[Path], ClipPictures]) -> ClipPictures:
+def sound_options(sound: FilmSound, file: Path, kind: str, seconds: float) -> tuple[list[str], list[str]]:
+    """What ffmpeg is told of a sound: before its file, and of what is written, as long as the film.
+
+    file: with its bytes; kind: the ending of the film; seconds: how long the film is.
+    """
+    skipped = ["-ss", f"{-sound.at:.6f}"] if sound.at < 0.0 else []
+    later = f"adelay={round(1000.0 * max(0.0, sound.at))}:all=1,apad"
+    return [*skipped, "-i", str(file)], ["-af", later, "-t", f"{seconds:.6f}", *FILM_SOUNDS[kind]]
+
+
+def film_clip(film: Path, draw: Callable[[Path], ClipPictures], sound: FilmSound | None = None) -> ClipPictures:
     """Makes a film of a clip, with the sidecar of its frames beside it (`NAME.mov.frames.json`).
 
-    film: what is written; draw: draws the pictures into a folder. RuntimeError with what ffmpeg says where it fails.
+    film: what is written; draw: draws the pictures into a folder; sound: what is heard. RuntimeError
+    with what ffmpeg says where it fails.
     """
     ffmpeg = find_ffmpeg()
     require_parent(film)
     with TemporaryDirectory(dir=film.parent) as made:
         drawn = draw(Path(made))
-        whole = Path(made) / f"film{film.suffix.lower()}"
-        done = subprocess.run(film_command(ffmpeg, Path(made), whole, drawn.rate), capture_output=True, check=False)
+        kind = film.suffix.lower()
+        whole = Path(made) / f"film{kind}"
+        options: tuple[list[str], list[str]] = ([], [])
+        if sound is not None:
+            (Path(made) / "sound").write_bytes(sound.data)
+            options = sound_options(sound, Path(made) / "sound", kind, len(drawn.frames) / drawn.rate)
+        command = film_command(ffmpeg, Path(made), whole, drawn.rate, *options)
+        done = subprocess.run(command, capture_output=True, check=False)
         if done.returncode:
             raise RuntimeError(f"ffmpeg could not write {film}: {done.stderr.decode(errors='replace')[-300:].strip()}")
         film.with_name(f"{film.name}.{SIDECAR}").write_bytes((Path(made) / SIDECAR).read_bytes())

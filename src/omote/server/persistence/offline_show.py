@@ -16,7 +16,10 @@ from omote.showfile.inspection import what_opens
 from omote.showfile.recovery import is_lost
 from omote.showfile.show_file import CorruptShowFileError, ShowFile, ShowFileError, open_show
 
-BY_PAGES = "While it runs, files are taken in by its console and its editor."
+BY_PAGES = (
+    "While it runs, files are taken in by its console and its editor, and a list of cues by its server (POST "
+    "/cue_lists/main)."
+)
 
 
 @contextmanager

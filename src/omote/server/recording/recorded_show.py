@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -12,17 +13,15 @@ import msgspec
 from omote.model.cast import Cast
 from omote.perform.clips.clip import Clip
 from omote.server.recording.recording_thread import read_entries
-from omote.show.declaration import ClientMessage, tag_of
+from omote.show.declaration import tag_of
 from omote.show.objects.clips import StoredClip, clip_of
 from omote.show.objects.recordings import MarkMoment
-from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Sent, SnapshotTaken
+from omote.show.recording.curves import CueCall
+from omote.show.recording.entries import AnyEntry
 from omote.show.recording.replay import ReplayedTick, ReplayError, replay
+from omote.show.recording.show_log import LogLine, tell_log
 from omote.showfile.recording_file import Marker, Piece, RecordingFile, sound_key
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
-
-SILENT = ("drive", "drawing", "joined", "mark_moment")
-"""What comes many times a second by itself, and who is there: a log of who did what leaves it out. Markers are read
-where they can be changed."""
 
 
 @dataclass(frozen=True)
@@ -39,18 +38,6 @@ class Span:
         return self.last - self.first
 
 
-@dataclass(frozen=True)
-class LogLine:
-    """Something that somebody did. at: seconds of the machine's clock then; who: by name; what: the tag of the message;
-    of: whom or what it names; times: how often it came one after the other, as a hand sends it."""
-
-    at: float
-    who: str
-    what: str
-    of: str
-    times: int = 1
-
-
 class RecordedShow:
     """Reads a recording. file: the open recording; base: the built-in cast, which recordings do not hold."""
 
@@ -61,24 +48,31 @@ class RecordedShow:
         self._clips: dict[str, Clip] = {}
         self._reader = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recording")
 
-    def find_span(self, name: str = "") -> Span:
-        """What was recorded since the last start of the show, or what is kept under a name; ValueError where there is
-        none."""
+    def find_span(self, name: str = "", start: int | None = None) -> Span:
+        """What is kept under a name, else all that is recorded of a start of the show, of the last where none is given;
+        ValueError where there is none, or both are named."""
+        if name and start is not None:
+            raise ValueError(f"{name!r} is of one start already; give a name or --start, not both")
         if name:
             kept = self._file.kept_named(name)
             return Span(kept.start, kept.first, kept.last)
         pieces = self._file.pieces()
         if not pieces:
             raise ValueError("nothing is recorded yet")
-        start = pieces[-1].start
-        return Span(start, next(piece.first for piece in pieces if piece.start == start), pieces[-1].last)
+        return self.find_played(pieces[-1].start if start is None else start)
 
     def find_played(self, start: int) -> Span:
-        """All that is recorded of a start of the show; ValueError where nothing is."""
-        pieces = [piece for piece in self._file.pieces() if piece.start == start]
-        if not pieces:
-            raise ValueError("that start of the show is not recorded any more")
-        return Span(start, pieces[0].first, pieces[-1].last)
+        """All that is recorded of a start of the show; ValueError, with those that there are, where nothing is."""
+        pieces = self._file.pieces()
+        played = [piece for piece in pieces if piece.start == start]
+        if not played:
+            begins = {piece.start: piece.written for piece in reversed(pieces)}
+            there = ", ".join(
+                f"{number} ({time.strftime('%Y-%m-%d %H:%M', time.localtime(begins[number]))})"
+                for number in sorted(begins)
+            )
+            raise ValueError(f"nothing is recorded (any more) of the start {start} of the show; there are {there}")
+        return Span(start, played[0].first, played[-1].last)
 
     def find_cast(self, digest: str) -> Cast | PlayingCast:
         """The cast of a digest with its own items; LookupError, with the reason, where it cannot be played any more."""
@@ -128,32 +122,14 @@ class RecordedShow:
         """Who did what in a span, in its order; what a hand sends again and again is one line. What was noted is as it
         is written now."""
         marks = (LogLine(mark.at, mark.who, tag_of(MarkMoment), mark.name) for mark in self.markers(span))
-        return merge(self._played(span), marks, key=lambda line: line.at)
+        entries = (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece)
+        calls = [CueCall(*call) for call in self._file.cue_calls(span.start)]
+        return merge(tell_log(entries, calls, span.first, span.last), marks, key=lambda line: line.at)
 
     def markers(self, span: Span) -> list[Marker]:
         """What was marked in a span, in its order."""
         marks = self._file.markers()
         return [mark for mark in marks if mark.start == span.start and span.first <= mark.at <= span.last]
-
-    def _played(self, span: Span) -> Iterator[LogLine]:
-        names: dict[str, str] = {}
-        line: LogLine | None = None
-        for entry in (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece):
-            if isinstance(entry, SnapshotTaken):
-                names |= {who: client.name for who, client in entry.members.items()}
-            if isinstance(entry, Joined):
-                names[entry.who] = entry.client.name
-            following = _line_of(entry, names)
-            if following is None or not span.first <= following.at <= span.last:
-                continue
-            if line is not None and (line.who, line.what, line.of) == (following.who, following.what, following.of):
-                line = LogLine(line.at, line.who, line.what, line.of, line.times + 1)
-            else:
-                if line is not None:
-                    yield line
-                line = following
-        if line is not None:
-            yield line
 
     def close(self) -> None:
         """Stops reading; the file stays open."""
@@ -181,27 +157,3 @@ class RecordedShow:
             raise ReplayError(f"a minute that Omote {program} recorded cannot be read by this one: {error}") from error
         except (KeyError, ValueError) as error:
             raise ReplayError(f"a minute of the recording cannot be read: {error}") from error
-
-
-def _line_of(entry: AnyEntry, names: dict[str, str]) -> LogLine | None:
-    """What an entry is in a log; None where it is not told there. names: of clients."""
-    match entry:
-        case Sent(who, now, message) if tag_of(type(message)) not in SILENT:
-            return LogLine(now, names.get(who, who), tag_of(type(message)), _subject_of(message))
-        case ChannelsSet(who, now, character, values):
-            return LogLine(now, names.get(who, who), "set_channel", f"{character} {' '.join(values)}")
-        case _:
-            return None
-
-
-def _subject_of(message: ClientMessage) -> str:
-    """Whom or what a message names, in its own words: what a hand changes is left out."""
-    fields = msgspec.structs.asdict(message)
-    moved = message.hand is not None
-    named = [
-        str(value)
-        for name, value in fields.items()
-        if name not in ("id", "seen", "times", "marks", "easing") and value not in ("", None)
-        if not (moved and isinstance(value, float))
-    ]
-    return " ".join(named)

@@ -21,13 +21,14 @@ from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.document_routes import NO_CACHE
 from omote.server.http.static_pages import REPLAY_PAGES, Page, read_pages
-from omote.server.recording.recorded_show import LogLine, RecordedShow, Span
+from omote.server.recording.recorded_show import RecordedShow, Span
 from omote.server.recording.replay_player import ReplayPlayer, TransportRequest
 from omote.server.sounds.sound_routes import Sounds
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.messages import STATE_RATE
 from omote.show.objects.stages import CastChanged
 from omote.show.objects.state import CharacterState, State
+from omote.show.recording.show_log import FOLLOWED, LogLine
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
 from omote.showfile.database_errors import describe_error
@@ -38,7 +39,8 @@ from omote.stage_data.playing_cast import PlayingCast, build_playing_cast
 TRANSPORT_PATH = "/replay/transport"
 MOMENTS_PATH = "/replay/moments"
 MARKED = "mark_moment"
-ACTS = ("go", "go_back", "go_to_cue", "panic", "begin_show")
+CALLED = ("go", "go_to_cue", FOLLOWED)
+ACTS = (*CALLED, "go_back", "panic", "begin_show")
 """Beside markers, what is shown on the line of time: what a stage manager finds a moment by."""
 LONGEST_REQUEST = 4096
 
@@ -192,7 +194,7 @@ class ReplayedFiles:
 
 
 def _name_of(line: LogLine) -> str:
-    return line.of if line.what in (MARKED, "go", "go_to_cue") else ""
+    return line.of if line.what in (MARKED, *CALLED) else ""
 
 
 def serve(show: RecordedShow, span: Span, files: Sequence[Path], port: int, announce: Callable[[str], None]) -> None:

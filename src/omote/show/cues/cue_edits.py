@@ -6,16 +6,19 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from omote.perform.cues.cue import Cue, Move, check_cue_number, is_of, with_move
+from omote.perform.cues.cue import Cue, Move, check_cue_number, in_order, is_of, with_move
+from omote.perform.cues.cue_names import named_cue, named_part
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_at
 from omote.perform.limits import check_known
-from omote.perform.scene.character_names import ALL
+from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     SCENE_PARTS,
     Goal,
     Part,
+    expression_of,
     first_goal,
+    ranges_of,
     split_part,
 )
 from omote.perform.scene.scene import Scene
@@ -41,6 +44,8 @@ class LookedAt:
     goals: Mapping[Part, Goal] = field(default_factory=dict)
 
 
+DECIMALS = 4
+"""Of the numbers that are recorded: a tenth of a millimetre, and less than a hundredth of a degree."""
 ON_AIR = LookedAt()
 """No cue is looked at: what is edited is what shows on air, or what was built up."""
 
@@ -64,7 +69,13 @@ class EditContext:
         orders: Mapping[str, Sequence[str] | None] | None = None,
     ) -> CueBook:
         """The book after an edit. what: is done; cues, orders: as of `edit_cues`."""
-        return edit_cues(self.book, what, self.by, cues, orders or {})
+        named = {identity: None if cue is None else self._as_shown(cue) for identity, cue in cues.items()}
+        return edit_cues(self.book, what, self.by, named, orders or {})
+
+    def _as_shown(self, cue: Cue) -> Cue:
+        """A cue with its characters by name, in the order of the show."""
+        named = named_cue(cue, self.scene.labels)
+        return replace(named, moves={part: named.moves[part] for part in in_order(named.moves, self.scene)})
 
     def cue(self, identity: str) -> Cue:
         """The cue of an identity; ValueError where it is gone."""
@@ -92,16 +103,18 @@ def put_cue(context: EditContext, message: wire.PutCue) -> CueBook:
 def put_move(context: EditContext, message: wire.PutMove) -> CueBook:
     """A cue with a move of a part. context: what it begins from; message: says which."""
     cue = context.cue(message.cue)
-    split_part(message.part)
+    part = named_part(message.part, context.scene.labels)
+    split_part(part)
     move = Move(message.goal, message.seconds, message.easing, message.delay)
-    return context.edit(f"{message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, move)})
+    return context.edit(f"{part} in cue {cue.number}", {cue.identity: with_move(cue, part, move)})
 
 
 def drop_move(context: EditContext, message: wire.DropMove) -> CueBook:
     """A cue without the move of a part. context: what it begins from; message: says which."""
     cue = context.cue(message.cue)
-    check_known(message.part, cue.moves, "part of this cue")
-    return context.edit(f"no {message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, None)})
+    named = named_part(message.part, context.scene.labels)
+    part = check_known(message.part if message.part in cue.moves else named, cue.moves, "part of this cue")
+    return context.edit(f"no {part} in cue {cue.number}", {cue.identity: with_move(cue, part, None)})
 
 
 def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
@@ -112,7 +125,12 @@ def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
     cues = context.book.cues_of(context.chosen)
     place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
-    goals = _chosen(context.scene, tracked, message.parts) if message.parts else _changed(context, tracked)
+    goals = _chosen(context.scene, message.parts) if message.parts else _changed(context, tracked)
+    if not goals:
+        raise ValueError(
+            "there is nothing to record: all stands as the cues before it leave it; change something first, or name "
+            "what is recorded"
+        )
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
     cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
     return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
@@ -205,16 +223,32 @@ EDITS: Mapping[type[wire.CueCommand], Callable[[EditContext, Any], CueBook]] = {
 
 
 def shown_goals(scene: Scene) -> dict[Part, Goal]:
-    """Where every part of a scene stands, but for who is leaving it."""
+    """Where every part of a scene stands, but for who is leaving it, as cues keep it."""
     parts = [f"{name}/{part}" for name in scene for part in CHARACTER_PARTS]
-    return {part: scene.shown_goal(part) for part in (*parts, *(f"{ALL}/{part}" for part in SCENE_PARTS))}
+    parts += [f"{ALL}/{part}" for part in SCENE_PARTS]
+    return {part: _rounded(part, scene.shown_goal(part)) for part in parts}
 
 
 def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
     """The parts that stand otherwise than cues leave them, or a new show has them where nobody means to set that: a
     region goes with its face, eyes look ahead, layers show. scene: what shows; tracked: what the cues leave."""
     shown = shown_goals(scene)
-    return {part: goal for part, goal in shown.items() if goal != tracked.get(part, first_goal(part))}
+    return {part: goal for part, goal in shown.items() if goal != _left_by(tracked, part)}
+
+
+def _left_by(tracked: Tracked, part: Part) -> Goal | None:
+    """Where cues (tracked) leave a part, as `shown_goals` has it; as a new show where they say nothing of it."""
+    return _rounded(part, tracked[part]) if part in tracked else first_goal(part)
+
+
+def _rounded(part: Part, goal: Goal) -> Goal:
+    """A goal with the numbers that its part stands at as a text shows them: a hand and a tracker give sixteen
+    digits."""
+    ranges = ranges_of(part)
+    if ranges is None:
+        return goal
+    limits = {name: ranges[name] for name in goal}
+    return {name: min(max(round(goal[name], DECIMALS), low), high) for name, (low, high) in limits.items()}
 
 
 def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
@@ -225,19 +259,26 @@ def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
     return {part: goal for part, goal in shown.items() if part in tracked or goal != found.get(part)}
 
 
-def _chosen(scene: Scene, tracked: Tracked, wanted: Sequence[str]) -> dict[Part, Goal]:
-    """The parts that are named, and of characters that are named all but what is as in a new show and was left so."""
+def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
+    """The parts that are named, and of characters that are named all: whatever plays before, their cue brings back what
+    shows. Regions go with the whole expression, unless they stand by themselves."""
     shown = shown_goals(scene)
+    wanted = [_wanted(each, scene.labels) for each in wanted]
     for each in wanted:
         if each not in scene:
             check_known(each, shown, "part")
     names = [each for each in wanted if each in scene]
     kept = {part: goal for part, goal in shown.items() if part in wanted or is_of(part, names)}
-    return {
-        part: goal
-        for part, goal in kept.items()
-        if part in wanted or (goal, tracked.get(part, goal)) != (first_goal(part), goal)
-    }
+    return {part: goal for part, goal in kept.items() if part in wanted or goal or expression_of(part) not in kept}
+
+
+def _wanted(written: str, labels: Mapping[str, str]) -> str:
+    """A part, or all of a character, that is to be recorded, by the name of that character; ValueError where there is
+    none. labels: what people call each, by name."""
+    character, _, name = written.rpartition("/")
+    if character == ALL:
+        return written
+    return f"{find_character(character, labels)}/{name}" if character else find_character(written, labels)
 
 
 def _inserted(context: EditContext, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from omote.perform.cues.cue_action import SpokenLine
+from omote.perform.cues.cue_names import named_character
 from omote.show.declaration import ClientMessage, Session
 from omote.show.objects.link import Refused
 from omote.show.objects.speech import PlaySound, Say, SayByVoice
@@ -17,14 +18,15 @@ def speak_lines(session: Session, now: float) -> None:
         if CUES not in session.members.present:
             session.join(CUES, "Cues")
         call = f"{CUES} {session.epoch} {session.number} {place}"
-        for answer in session.receive(CUES, _message(line, call), now):
+        who = named_character(line.character, session.scene.labels)
+        for answer in session.receive(CUES, _message(line, who, call), now):
             if isinstance(answer.message, Refused):
                 session.reject_line(f"{cue}: {answer.message.reason}")
 
 
-def _message(line: SpokenLine, call: str) -> ClientMessage:
+def _message(line: SpokenLine, character: str, call: str) -> ClientMessage:
     if line.voice:
-        return SayByVoice(line.character, call, line.text, line.voice)
+        return SayByVoice(character, call, line.text, line.voice)
     if line.sound and not line.text:
-        return PlaySound(line.character, call, line.sound)
-    return Say(line.character, call, line.text, sound=line.sound)
+        return PlaySound(character, call, line.sound)
+    return Say(character, call, line.text, sound=line.sound)

@@ -10,6 +10,7 @@ from typing import Any
 
 from omote.perform.cues.cue import Cue, CueList
 from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
+from omote.perform.cues.cue_names import named_cue, named_cues
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
 from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
 from omote.perform.limits import check_known
@@ -101,6 +102,8 @@ class CueLists:
         self._rejected: tuple[str, ...] = ()
         self._offers = ("", "")
         self._edits_before = 0
+        self.last_edit = ("", "")
+        """By whom and what, while `edited` is told of it."""
         self._kept = self.book
         self._lines: list[tuple[str, SpokenLine]] = []
         self._sends: deque[tuple[str, Send]] = deque(maxlen=MOST_SENDS)
@@ -112,7 +115,8 @@ class CueLists:
         """Plays the lists of a show file, each as far as the snapshot had it. book: what the file keeps."""
         self._kept = book
         self._players = {}
-        self._play(book)
+        labels = self._scene().labels
+        self._play(replace(book, cues={identity: named_cue(cue, labels) for identity, cue in book.cues.items()}))
         self._states = {}
         if self._chosen_before in book.orders:
             self.chosen = self._chosen_before
@@ -271,8 +275,9 @@ class CueLists:
 
     # --- what edits ---
 
-    def edit(self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR) -> None:
-        """Makes an edit; ValueError where it cannot be made, or the show mode is on.
+    def edit(self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR) -> LookedAt | None:
+        """Makes an edit, and returns the cue that was recorded, as it is looked at then; None of other edits.
+        ValueError where it cannot be made, or the show mode is on.
 
         message: asks for it; who: the client; scene: the one that it looks at; looked_at: the cue there.
         """
@@ -280,8 +285,8 @@ class CueLists:
         by = self._name_of(who)
         if isinstance(message, wire.UndoCues | wire.RedoCues):
             self._check_seen(message.seen)
-            self._play((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
-            return
+            self._change((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
+            return None
         chosen = getattr(message, "cue_list", "") or looked_at.cue_list
         chosen = self._named(chosen, new=isinstance(message, wire.AddCueList))
         state = self._players[chosen].state if chosen in self._players else CueState()
@@ -289,7 +294,12 @@ class CueLists:
         looked_at = looked_at if is_meant else ON_AIR
         current = looked_at.cue or state.current
         context = cue_edits.EditContext(self.book, scene, chosen, current, by, looked_at)
-        self._play(cue_edits.EDITS[type(message)](context, message))
+        before = self.book.cues
+        self._change(cue_edits.EDITS[type(message)](context, message))
+        if not isinstance(message, wire.RecordCue):
+            return None
+        (recorded,) = self.book.cues.keys() - before.keys()
+        return LookedAt(chosen, recorded, cue_edits.shown_goals(scene))
 
     def find(self, name: str, number: str) -> tuple[str, CueList, Cue]:
         """A cue: the list that is meant, its cues, and the one of the number; ValueError where there is none.
@@ -309,7 +319,7 @@ class CueLists:
         name: of the list, which may be new; cues: in the order of GO; by: who brings them.
         """
         self._check_open()
-        self._play(take_in_list(self.book, name, cues, by))
+        self._change(take_in_list(self.book, name, named_cues(cues, self._scene().labels), by))
 
     # --- what is told ---
 
@@ -419,6 +429,14 @@ class CueLists:
             last = self.book.edits[-1] if self.book.edits else None
             who = "" if last is None else f": {last.by} has done since: {last.what}"
             raise ValueError(f"the cues have been edited since you pressed{who}")
+
+    def _change(self, book: CueBook) -> None:
+        """Plays the lists as an edit has left them."""
+        if len(book.edits) > len(self.book.edits):
+            edit = book.edits[-1]
+            self.last_edit = (edit.by, edit.what if edit.does == "edit" else f"{edit.does}: {edit.what}")
+        self._play(book)
+        self.last_edit = ("", "")
 
     def _play(self, book: CueBook) -> None:
         """Plays the lists as they are in a book; what is on its way goes on."""

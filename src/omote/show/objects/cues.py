@@ -266,8 +266,11 @@ class CueCommand(ClientMessage, frozen=True):
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Edits the cues. session: the show; who: the client; now: seconds, monotonic."""
-        looked_at = (session.preview.looked_at,) if session.members.looks_at(who) == "preview" else ()
-        session.cues.edit(self, who, session.scene_of(who), *looked_at)
+        is_preview = session.members.looks_at(who) == "preview"
+        looked_at = (session.preview.looked_at,) if is_preview else ()
+        recorded = session.cues.edit(self, who, session.scene_of(who), *looked_at)
+        if is_preview and recorded is not None:
+            session.preview.go_on_at(recorded)
         return ()
 
 
@@ -317,7 +320,8 @@ class DropMove(CueCommand, frozen=True):
 class RecordCue(CueCommand, frozen=True):
     """Writes a new cue of what shows to its sender, on air or in preview: the parts that stand otherwise than the cues
     before it leave them, or those that `parts` names (`one/face`, `one` for all of a character). `number`: "" for the
-    next free one behind the cue that was called last, in preview behind the one that is looked at."""
+    next free one behind the cue that was called last, in preview behind the one that is looked at, which is the new one
+    from then on."""
 
     osc = (osc("record_cue", "writes a new cue of what shows", "cue", of_show=True),)
 

@@ -88,9 +88,9 @@ class Recorder:
         """Notes that a source has taken over. route: what it plays."""
         self._note(Routed(source, route))
 
-    def note_sounds(self, seconds: Mapping[str, float]) -> None:
-        """Notes the sounds that there are, by their seconds."""
-        self._note(SoundsKnown(dict(seconds)))
+    def note_sounds(self, seconds: Mapping[str, float], called: Mapping[str, str]) -> None:
+        """Notes the sounds that there are, by their seconds. called: keys by name."""
+        self._note(SoundsKnown(dict(seconds), dict(called)))
 
     def note_recast(self, digest: str) -> None:
         """Notes that another cast plays. digest: of the cast."""
@@ -106,7 +106,8 @@ class Recorder:
 
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them: which cue stands by depends on each edit, not on the last alone."""
-        self._note(CuesEdited(self._session.cues.shown()))
+        cues = self._session.cues
+        self._note(CuesEdited(cues.shown(), *cues.last_edit))
 
     def note_tick(self, now: float) -> None:
         """Notes a tick. now: seconds, monotonic."""
@@ -151,6 +152,7 @@ def snapshot_of(session: ShowSession, members: Mapping[str, Client], *, with_cue
         members=dict(members),
         sources=session.sources.playing(),
         sounds=session.sounds.seconds(),
+        sounds_called=session.sounds.called(),
         eyes=session.eye_offsets,
         playing=session.cues.playing(),
         book=session.cues.shown() if with_cues else None,

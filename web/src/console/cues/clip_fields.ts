@@ -51,6 +51,8 @@ const style = css`
 @customElement("omote-clip-fields")
 export class ClipFields extends CueElement {
   @property({ attribute: false }) goal: Goal = {};
+  /** The goal with what was sent of it and is not in the list yet. */
+  @property({ attribute: false }) newest: () => Goal = () => this.goal;
   /** Sends another goal; `failed` is told why it was not taken. */
   @property({ attribute: false }) save: (goal: Record<string, number>, failed: Failed) => unknown = () => undefined;
 
@@ -59,7 +61,8 @@ export class ClipFields extends CueElement {
   override render() {
     const call = clipCallOf(this.goal);
     if (call === null) return html``;
-    const put = (change: Partial<ClipCall>, failed: Failed) => this.save(goalOfClip({ ...call, ...change }), failed);
+    const put = (change: Partial<ClipCall>, failed: Failed) =>
+      this.save(goalOfClip({ ...(clipCallOf(this.newest()) ?? call), ...change }), failed);
     return html`<omote-cue-field label="From, s" kind="number" .value=${String(call.start)}
         .save=${(text: string, failed: Failed) => put({ start: secondsIn(text) }, failed)}></omote-cue-field>
       <omote-cue-field label="Speed" kind="number" .value=${call.speed === null ? "" : String(call.speed)}
@@ -78,7 +81,7 @@ export class ClipFields extends CueElement {
         box.checked = weight !== undefined;
         this.cues.show.say(reason);
       };
-      const changed = withPart(call, part, box.checked);
+      const changed = withPart(clipCallOf(this.newest()) ?? call, part, box.checked);
       if (changed === null) failed("A clip plays one part at least: to play none of it, delete its move.");
       else this.save(goalOfClip(changed), failed);
     };

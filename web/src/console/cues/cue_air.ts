@@ -100,7 +100,7 @@ export class CueAir extends CueElement {
     const { current, by, since } = this.cues.way;
     if (current === null) return html`<p class="quiet">No cue has been called yet.</p>`;
     const left = timeLeft(this.cues.way, this.cues.current);
-    const ago = since === null ? "" : `${agoOf(since)} ago${by === "" ? ", by itself" : ` by ${by}`}`;
+    const ago = since === null ? "" : `last GO ${agoOf(since)} ago${by === "" ? "" : ` by ${by}`}`;
     return html`<div class="called" style=${styleMap({ borderColor: colourOf(current.colour) })}>
       <span class="number">${current.number}</span><span class="label">${this.cues.titleOf(current)}</span>
       <span class="left" title="Seconds until it has ended">${left > 0 ? countOf(left) : ""}</span>

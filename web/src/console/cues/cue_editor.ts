@@ -3,11 +3,12 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import { repeat } from "lit/directives/repeat.js";
 import { EASING_NAMES } from "../../link/constants";
 import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
-import { secondsIn } from "./cue_field";
+import { type CueField, secondsIn } from "./cue_field";
 import "./clip_fields";
 import { clipCallOf, goalOfClip } from "./clip_goal";
 import "./cue_actions";
@@ -15,7 +16,16 @@ import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { partWords } from "./cue_words";
-import { CHARACTER_PARTS, firstGoal, type Goal, goalText, kindOf, parseGoal, SCENE_PARTS } from "./goal_text";
+import {
+  CHARACTER_PARTS,
+  firstGoal,
+  type Goal,
+  goalText,
+  kindOf,
+  parseGoal,
+  partsInOrder,
+  SCENE_PARTS,
+} from "./goal_text";
 import { missingInMove } from "./missing_names";
 
 const style = css`
@@ -151,16 +161,27 @@ export class CueEditor extends CueElement {
     return html`<header><h2>Cue ${cue.number}</h2>${this.#closer()}</header>${keyed(cue.identity, this.#cue(cue))}`;
   }
 
+  /** An empty cue that was begun here is given its label first. */
+  override updated(): void {
+    if (this.cues.begun === null || this.cues.begun !== this.cues.edited) return;
+    this.cues.begun = null;
+    this.renderRoot.querySelector<CueField>('[label="Label"]')?.enter();
+  }
+
   #closer() {
     return html`${this.cues.edited === null ? nothing : html`<button class="to-list" @click=${() => this.cues.edit(null)}>List</button>`}
-      <button class="closer" @click=${() => this.cues.setEditing(false)}>Done</button>`;
+      <button class="closer" title="Back to playing (Esc)" @click=${() => this.cues.setEditing(false)}>Done</button>`;
   }
 
   #cue(cue: Cue) {
     return html`${this.#tools(cue)}${this.#fields(cue)}
       <h2>Moves</h2>
       ${Object.keys(cue.moves).length === 0 ? html`<p>It moves nothing yet.</p>` : nothing}
-      ${Object.entries(cue.moves).map(([part, move]) => keyed(part, this.#move(cue, part, move)))}
+      ${repeat(
+        partsInOrder(Object.keys(cue.moves), Object.keys(this.cues.labels)),
+        (part) => part,
+        (part) => this.#move(cue, part, cue.moves[part] as Move),
+      )}
       ${this.#adder(cue)}
       <h2>Also does</h2>
       <omote-cue-actions .cues=${this.cues} .cue=${cue}></omote-cue-actions>`;
@@ -205,8 +226,9 @@ export class CueEditor extends CueElement {
   }
 
   #move(cue: Cue, part: string, move: Move) {
+    const newest = (): Move => this.cues.newest(cue).moves[part] ?? move;
     const put = (change: Partial<Move>, failed: (reason: string) => void) =>
-      this.cues.change({ type: "put_move", cue: cue.identity, part, ...move, ...change }, failed);
+      this.cues.change({ type: "put_move", cue: cue.identity, part, ...newest(), ...change }, failed);
     const time = (name: "seconds" | "delay", label: string) =>
       html`<omote-cue-field label=${label} kind="number" .value=${String(move[name])}
         .save=${(text: string, failed: (reason: string) => void) => put({ [name]: secondsIn(text) }, failed)}></omote-cue-field>`;
@@ -217,13 +239,13 @@ export class CueEditor extends CueElement {
       <button class="away" aria-label="Delete the move of ${part}" title="Delete this move"
         @click=${() => this.cues.change({ type: "drop_move", cue: cue.identity, part })}>✕</button>
       <omote-cue-field class="goal" label="Goes to" .value=${goalText(part, nameOf(part, move.goal))} .offered=${this.#offered(part)}
-        .save=${(text: string, failed: (reason: string) => void) => put({ goal: goalAfter(part, move.goal, text) }, failed)}></omote-cue-field>
+        .save=${(text: string, failed: (reason: string) => void) => put({ goal: goalAfter(part, newest().goal, text) }, failed)}></omote-cue-field>
       ${time("seconds", "Seconds")}${time("delay", "Delay")}
       <omote-cue-field label="Easing" .choices=${EASINGS} .value=${move.easing}
         .save=${(text: string, failed: (reason: string) => void) => put({ easing: text }, failed)}></omote-cue-field>
       ${
         kindOf(part) === "clip"
-          ? html`<omote-clip-fields .cues=${this.cues} .goal=${move.goal}
+          ? html`<omote-clip-fields .cues=${this.cues} .goal=${move.goal} .newest=${() => newest().goal}
         .save=${(goal: Record<string, number>, failed: (reason: string) => void) => put({ goal }, failed)}></omote-clip-fields>`
           : nothing
       }
@@ -237,15 +259,14 @@ export class CueEditor extends CueElement {
     const part = parts.includes(this.added) ? this.added : (parts[0] ?? "");
     const save = (text: string, failed: (reason: string) => void) =>
       this.cues.change({ type: "put_move", cue: identity, part, goal: parseGoal(part, text) }, failed);
-    const adder = html`<div class="add">
+    return html`<div class="add">
       <omote-cue-field label="Another part" .choices=${parts.map((each) => [each, partWords(each, this.cues.labels)])} .value=${part}
         .save=${(chosen: string) => {
           this.added = chosen;
         }}></omote-cue-field>
-      <omote-cue-field class="new" label="goes to (Enter adds it)" .value=${""} .offered=${this.#offered(part)} .save=${save}></omote-cue-field>
+      <omote-cue-field class="new" of=${part} label="goes to (Enter adds it)" .value=${""} .offered=${this.#offered(part)} .save=${save}></omote-cue-field>
       ${firstGoal(part) === "" ? nothing : html`<button title="Adds it there" @click=${() => save(firstGoal(part), (reason) => this.cues.show.say(reason))}>${firstGoal(part)}</button>`}
     </div>`;
-    return keyed(`${part} ${Object.keys(moves).length}`, adder); // what was added is typed no more
   }
 
   get #parts(): string[] {
@@ -290,7 +311,7 @@ function nameOf(part: string, goal: Goal): Goal {
 
 /** The goal that a text says; another clip plays as the one before did. */
 function goalAfter(part: string, before: Goal, text: string): Record<string, number> {
-  const goal = parseGoal(part, text);
+  const goal = parseGoal(part, text, before);
   if (kindOf(part) !== "clip") return goal;
   const [was, is] = [clipCallOf(before), clipCallOf(goal)];
   return was === null || is === null ? goal : goalOfClip({ ...was, clip: is.clip });

@@ -60,6 +60,8 @@ export class CueField extends LitElement {
   @property({ attribute: false }) choices: readonly (readonly [string, string])[] | null = null;
   /** What is offered for a text. */
   @property({ attribute: false }) offered: readonly string[] = [];
+  /** Of what it is a field, where that changes under it: what was typed for another is forgotten. */
+  @property() of = "";
   @property({ attribute: false }) save: SaveField = () => undefined;
   /** What was typed, and is not what the show has; null where nothing is. */
   @state() private typed: string | null = null;
@@ -67,12 +69,28 @@ export class CueField extends LitElement {
 
   static override styles = [base, style];
 
+  /** What was typed has not been sent yet. */
+  #unsent = false;
+
+  /** Puts the cursor into it. */
+  enter(): void {
+    void this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>("input, textarea")?.focus());
+  }
+
+  /** What is typed as another cue comes into the form is sent as if the field had been left. */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    if (this.#unsent && this.typed !== null) this.#send(this.typed);
+  }
+
   /** What the show has is another: what was typed is that, or was thrown over by somebody else. */
   override willUpdate(changed: PropertyValues): void {
-    if (!changed.has("value") || !this.hasUpdated) return;
+    if (!this.hasUpdated) return;
+    if (changed.has("of")) [this.typed, this.error, this.#unsent] = [null, "", false];
+    if (!changed.has("value")) return;
     const typing = this.renderRoot.querySelector(":focus") !== null;
     if (typing && this.error === "" && this.typed !== null && this.typed !== this.value) return;
-    [this.typed, this.error] = [null, ""];
+    [this.typed, this.error, this.#unsent] = [null, "", false];
   }
 
   override render() {
@@ -96,11 +114,13 @@ export class CueField extends LitElement {
 
   readonly #type = (event: Event): void => {
     this.typed = textOf(event);
+    this.#unsent = true;
   };
 
-  readonly #save = (event: Event): void => {
-    this.typed = textOf(event);
-    this.error = "";
+  readonly #save = (event: Event): void => this.#send(textOf(event));
+
+  #send(text: string): void {
+    [this.typed, this.error, this.#unsent] = [text, "", false];
     if (this.typed === this.value) {
       this.typed = null;
       return;
@@ -113,7 +133,7 @@ export class CueField extends LitElement {
     } catch (error) {
       failed((error as Error).message);
     }
-  };
+  }
 }
 
 /** The seconds that a text says, nothing being none; an Error where it says none. */

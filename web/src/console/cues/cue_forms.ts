@@ -4,12 +4,13 @@ import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { layerWhileShown } from "../../ui/key_presses";
 import { base, entry, flow } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { CueElement } from "./cue_element";
 import { secondsIn } from "./cue_field";
 import type { CueTopic } from "./cue_store";
 import { SCENE_PARTS } from "./goal_text";
 
-export type CueFormKind = "record" | "renumber" | "add_list" | "rename_list" | "go_to";
+export type CueFormKind = "record" | "renumber" | "add_list" | "rename_list" | "go_to" | "take_in";
 
 const style = css`
   form {
@@ -23,7 +24,11 @@ const style = css`
     min-height: 34px;
     color: var(--dim);
   }
-  input:not([type="checkbox"]) {
+  input[type="file"] {
+    max-width: 100%;
+    color: var(--text);
+  }
+  input:not([type="checkbox"], [type="file"]) {
     ${entry}
     width: 76px;
     min-height: var(--finger, 34px);
@@ -49,6 +54,9 @@ const style = css`
     color: var(--text);
   }
   [role="alert"] {
+    max-height: 30dvh;
+    overflow: auto;
+    white-space: pre-line;
     flex: 1 0 100%;
     color: var(--attention);
   }
@@ -67,15 +75,20 @@ const style = css`
 export class CueForm extends CueElement {
   @property() kind: CueFormKind = "record";
   @state() private error = "";
+  /** The number of the cue that is chosen, until another is typed. */
+  #chosen: string | null = null;
 
   static override styles = [base, style];
 
-  protected override readonly topics: readonly CueTopic[] = ["characters", "view"];
+  protected override readonly topics: readonly CueTopic[] = ["characters", "view", "cues"];
 
   constructor() {
     super();
     layerWhileShown(this, "form", this.close);
   }
+
+  /** What was recorded is recorded: nothing of it is left for the next cue. */
+  readonly #recordedOne = (): void => this.renderRoot.querySelector("form")?.reset();
 
   override firstUpdated(): void {
     this.renderRoot.querySelector<HTMLElement>("input")?.focus();
@@ -90,7 +103,12 @@ export class CueForm extends CueElement {
   }
 
   #form() {
-    if (this.kind === "record") return ["Record what is on air", this.#recorded(), "Record"] as const;
+    if (this.kind === "record")
+      return [
+        this.cues.show.bus === "air" ? "Record what is on air" : "Record what preview has",
+        this.#recorded(),
+        "Record",
+      ] as const;
     if (this.kind === "renumber")
       return [
         "Number the list anew",
@@ -100,11 +118,23 @@ export class CueForm extends CueElement {
     if (this.kind === "go_to")
       return [
         "Go to a cue",
-        html`${field("number", "Number", this.cues.standby?.number ?? "")}${check("whole", "with all that the cues before it leave standing")}`,
+        html`${this.#number()}${check("whole", "with all that the cues before it leave standing", true)}`,
         "Go to",
       ] as const;
+    if (this.kind === "take_in") return [`Import into ${this.cues.name}`, FILE, "Take in"] as const;
     if (this.kind === "add_list") return ["A new list", field("name", "Name", "", "wide"), "Begin it"] as const;
     return ["Rename the list", field("name", "Name", this.cues.name, "wide"), "Rename"] as const;
+  }
+
+  /** The cue that is edited, stands by or was called last, until a number is typed. */
+  #number() {
+    const { cues } = this;
+    const chosen = cues.editing ? cues.find(cues.edited) : null;
+    const number = this.#chosen ?? (chosen ?? cues.standby ?? cues.way.current)?.number ?? "";
+    const type = (event: Event): void => {
+      this.#chosen = textOf(event);
+    };
+    return html`<label>Number<input name="number" .value=${number} autocomplete="off" @input=${type}></label>`;
   }
 
   #recorded() {
@@ -129,6 +159,15 @@ export class CueForm extends CueElement {
     }
   };
 
+  async #takeIn(): Promise<void> {
+    const file = this.renderRoot.querySelector<HTMLInputElement>('input[type="file"]')?.files?.[0];
+    if (file === undefined) return;
+    this.error = await this.cues.takeIn(await file.text());
+    if (this.error !== "") return;
+    this.cues.show.say(`${file.name} is the list ${this.cues.name} now.`, "done");
+    this.close();
+  }
+
   #send(text: (name: string) => string, given: readonly string[]): void {
     const { cues } = this;
     const failed = (reason: string): void => {
@@ -140,17 +179,23 @@ export class CueForm extends CueElement {
       cues.add(
         { type: "record_cue", cue: number, label: text("label"), seconds: secondsIn(text("seconds")), parts, cue_list },
         failed,
+        this.#recordedOne,
       );
     } else if (this.kind === "renumber")
       cues.change({ type: "renumber_cues", first: text("first"), step: text("step"), cue_list }, failed);
     else if (this.kind === "go_to")
       cues.play({ type: "go_to_cue", cue: number, whole: given.includes("whole"), cue_list }, failed);
+    else if (this.kind === "take_in") void this.#takeIn();
     else if (this.kind === "add_list") cues.addList(text("name"), failed);
     else cues.renameList(text("name"), failed);
   }
 }
 
-const field = (name: string, label: string, value: string, look = "", placeholder = "") =>
-  html`<label>${label}<input class=${look} name=${name} .value=${value} placeholder=${placeholder} autocomplete="off"></label>`;
+const FILE = html`<label>A list as text<input type="file" name="file" accept=".toml" required></label>
+  <span>It takes the place of all cues of the list; a cue stays the same by its number. Undo brings them back.</span>`;
 
-const check = (name: string, label: string) => html`<label><input type="checkbox" name=${name}>${label}</label>`;
+const field = (name: string, label: string, value: string, look = "", placeholder = "") =>
+  html`<label>${label}<input class=${look} name=${name} value=${value} placeholder=${placeholder} autocomplete="off"></label>`;
+
+const check = (name: string, label: string, on = false) =>
+  html`<label><input type="checkbox" name=${name} ?checked=${on}>${label}</label>`;

@@ -66,6 +66,9 @@ const style = css`
     border-radius: 10px;
     touch-action: none;
   }
+  .go:hover {
+    color: #03150a;
+  }
   .go:active {
     background: #7df0ae;
   }
@@ -74,7 +77,8 @@ const style = css`
     font-size: 26px;
   }
   .go.deaf,
-  .go.end {
+  .go.end,
+  .go.typing {
     color: var(--text);
     background: #2a2d31;
   }
@@ -82,6 +86,10 @@ const style = css`
     text-decoration: line-through;
     outline: 3px solid #c3170a;
     outline-offset: -3px;
+  }
+  .go.typing span {
+    font: 600 13px / 1.2 system-ui, sans-serif;
+    text-align: center;
   }
   .go.paused {
     background: var(--attention);
@@ -94,6 +102,16 @@ const style = css`
     font-size: 0.7em;
     letter-spacing: 0;
   }
+  .panicked {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    gap: 6px;
+  }
+  .panicked button {
+    color: inherit;
+    background: none;
+    border: 0;
+  }
   :host([compact]) {
     grid-template-columns: minmax(0, 5fr) minmax(0, 4fr);
   }
@@ -102,7 +120,15 @@ const style = css`
     min-height: 0;
     max-height: 52px;
   }
-  :host([compact]) .warning {
+  .arm {
+    min-height: 34px;
+    color: var(--text);
+  }
+  .arm[aria-pressed="true"] {
+    color: #1c1500;
+    background: var(--attention);
+  }
+  :host([compact]) :is(.warning, .arm) {
     grid-column: 1 / -1;
   }
   :host([compact]) .next b {
@@ -145,18 +171,20 @@ export class CueGo extends CueElement {
   protected override readonly topics: readonly CueTopic[] = ["cues", "list", "view", "link"];
 
   override render() {
-    const { ignored, unheard, editing } = this.cues;
+    const { ignored, unheard, editing, keysPlay, panicked } = this.cues;
     this.toggleAttribute("compact", editing);
     return html`${this.#next()}
+      ${panicked === "" ? nothing : html`<div class="warning panicked" role="alert">${panicked}<button aria-label="Dismiss" title="I have read it" @click=${() => this.cues.forgetPanic()}>✕</button></div>`}
       ${ignored === "" ? nothing : html`<div class="warning ignored" role="alert">${ignored}</div>`}
       ${unheard === "" ? nothing : html`<div class="warning deaf" role="alert">${unheard}</div>`}
+      ${editing ? html`<button class="arm" aria-pressed=${keysPlay} title="Lets Space, Shift Space, P, A and ↑ ↓ play while cues are edited, until a field is entered" @click=${() => this.cues.letKeysPlay(!keysPlay)}>Keys play: ${keysPlay ? "ON, Space is GO" : "off while editing"}</button>` : nothing}
       ${this.#keys()}${this.#go()}`;
   }
 
   #next() {
     const { standby } = this.cues;
     if (standby === null)
-      return html`<div class="next">${this.cues.list.length === 0 ? "No cue stands by." : "The end of the list: no cue stands by."}</div>`;
+      return html`<div class="next">${this.cues.list.length === 0 ? "No cues yet: press New or Record." : "The end of the list: no cue stands by."}</div>`;
     const after = goesOnWords(this.cues.find(standby.identity) ?? { goes_on: "", post_wait: 0 });
     return html`<div class="next" style=${styleMap({ borderColor: colourOf(standby.colour) })}><b>${standby.number} ${this.cues.titleOf(standby)}</b>
       ${after === "" ? nothing : html`<div class="by-itself">${after}</div>`}<div class="note">${standby.note}</div></div>`;
@@ -172,11 +200,11 @@ export class CueGo extends CueElement {
   }
 
   #go() {
-    const { standby, paused, unheard } = this.cues;
+    const { standby, paused, unheard, typing } = this.cues;
     const word = paused ? "GO ON" : "GO";
     const number = paused ? "" : (standby?.number ?? "END");
-    const look = unheard !== "" ? "deaf" : paused ? "paused" : standby === null ? "end" : "";
+    const look = unheard !== "" ? "deaf" : paused ? "paused" : standby === null ? "end" : typing ? "typing" : "";
     const press = pressed(() => this.cues.go());
-    return html`<button class="go ${look}" title="GO (Space)" @pointerdown=${press.down} @click=${press.click}><small>${word}</small>${number}</button>`;
+    return html`<button class="go ${look}" title="GO (Space)" @pointerdown=${press.down} @click=${press.click}><small>${word}</small>${number}${typing ? html`<span>Space types in a field: Esc</span>` : nothing}</button>`;
   }
 }

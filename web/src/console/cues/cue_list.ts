@@ -145,10 +145,11 @@ export class CueListView extends CueElement {
 
   /** The standby is in sight whenever it is another, and the pictures are those of the cues. */
   override updated(_: PropertyValues): void {
-    const shown = (this.cues.editing ? this.cues.edited : this.cues.standby?.identity) ?? undefined;
-    if (shown !== this.#standby)
-      this.renderRoot.querySelector(`li[data-cue="${shown}"]`)?.scrollIntoView({ block: "nearest" });
-    this.#standby = shown;
+    const { editing, edited, standby, way } = this.cues;
+    const shown = (editing ? edited : (standby ?? way.current)?.identity) ?? undefined;
+    const row = this.renderRoot.querySelector(`li[data-cue="${shown}"]`); // not there before the list is
+    if (shown !== this.#standby) row?.scrollIntoView({ block: "nearest" });
+    if (row !== null || shown === undefined) this.#standby = shown;
     this.#showPictures();
   }
 

@@ -156,6 +156,21 @@ export const cueListStyle = css`
       font-size: 16px;
     }
   }
+  @media (max-width: 900px) {
+    .times {
+      max-width: 90px;
+    }
+    .label {
+      display: -webkit-box;
+      -webkit-box-orient: vertical;
+      -webkit-line-clamp: 2;
+      white-space: normal;
+      overflow-wrap: anywhere;
+    }
+    :host([editing]) :is(.times, .up, .down) {
+      display: none; /* they are in the editor too */
+    }
+  }
   @media (max-width: 640px) {
     li {
       grid-template-columns: 6px 22px auto minmax(0, 1fr) auto auto;
@@ -172,12 +187,6 @@ export const cueListStyle = css`
     }
     .times {
       font-size: 11px;
-      max-width: 90px;
-    }
-    :host([editing]) .times,
-    .up,
-    .down {
-      display: none;
     }
   }
   @media print {

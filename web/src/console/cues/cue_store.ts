@@ -15,6 +15,7 @@ import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
 import { standbyBeside } from "./cue_order";
 import { titleWords } from "./cue_words";
+import { LocalEdits } from "./local_edits";
 import type { KnownNames } from "./missing_names";
 
 /** `cues`: who stands where; `time`: what counts, ten times a second; `list`: the cues; `view`: what this page shows. */
@@ -46,6 +47,10 @@ const NO_CUES: CueStatus = {
 const WANTED_MS = 1000;
 /** Milliseconds for which an ignored GO stays in sight. */
 const IGNORED_MS = 12_000;
+/** Milliseconds for which a link that is back is news. */
+const BACK_MS = 6000;
+const NONE_STANDS_BY = "No cue stands by: choose one, or press Back.";
+const NO_CUES_YET = "No cues yet: press Edit, then New or Record.";
 /** Milliseconds until a list is asked for again that could not be read. */
 const AGAIN_MS = 500;
 
@@ -70,6 +75,14 @@ export class CueStore extends TopicStore<CueTopic> {
   /** The cue that is edited, by identity. */
   edited: string | null = null;
   search = "";
+  /** Keys play although cues are edited here. */
+  keysPlay = false;
+  /** A field has the focus: keys are its own. */
+  typing = false;
+  /** An empty cue that has just come, by identity: the cursor goes into its label. */
+  begun: string | null = null;
+  /** A panic that has taken off what the cues have left standing; "" for none, or once a cue has been called since. */
+  panicked = "";
   /** An ignored GO that is still in sight; "" for none. */
   ignored = "";
   access: AccessDocument = { role: "admin", name: "", asked: false };
@@ -77,11 +90,24 @@ export class CueStore extends TopicStore<CueTopic> {
   /** What `list` is. */
   #read = "";
   #reading = false;
+  readonly #local = new LocalEdits();
   #wanted: { readonly identity: string; readonly until: number } | null = null;
   #ignoredCount: number | null = null;
   #ignoredUntil = 0;
+  /** The cue that stood by, and its number, when a GO was ignored. */
+  #ignoredAt = "";
+  #panics: Readonly<Record<string, number>> = {};
+  /** This page pressed panic, and no state has said so yet. */
+  #pressed = false;
+  /** What stood when somebody pressed panic: another GO or assert ends that. */
+  #panickedAt = "";
+  /** A notice of this page is true until then, in milliseconds, or for as long as no cue stands by. */
+  #said = { notice: "", until: 0 };
   /** What is recorded, copied or begun here is edited once it is there. */
-  #expects = false;
+  #expects: "" | "filled" | "empty" = "";
+
+  #resumes: string | null = null;
+  #came: (cue: Cue) => void = () => undefined;
 
   /** `asked`: the list that is to be shown, "" for the chosen one; `now`: milliseconds. */
   constructor(
@@ -93,6 +119,7 @@ export class CueStore extends TopicStore<CueTopic> {
   ) {
     super();
     show.hear("state", (state) => this.#receive(state));
+    show.listen("link", () => this.#noteLink());
     for (const topic of ["link", "notice", "manifest", "characters"] as const)
       show.listen(topic, () => this.tell(topic));
     show.listen("clips", () => this.tell("manifest"));
@@ -124,6 +151,11 @@ export class CueStore extends TopicStore<CueTopic> {
 
   find(identity: string | null): Cue | null {
     return this.list.find((cue) => cue.identity === identity) ?? null;
+  }
+
+  /** A cue with what was sent of it and is not in the list yet: another edit begins from there. */
+  newest(cue: Cue): Cue {
+    return this.#local.over(this.find(cue.identity) ?? cue, this.now());
   }
 
   /** What a cue is called, also one without a label. */
@@ -181,7 +213,7 @@ export class CueStore extends TopicStore<CueTopic> {
   /** Shows another list. */
   choose(name: string): void {
     this.name = name;
-    [this.edited, this.#wanted, this.#expects] = [null, null, false];
+    [this.edited, this.#wanted, this.#expects] = [null, null, ""];
     this.list = [];
     this.tell("view");
     void this.#readList();
@@ -191,8 +223,28 @@ export class CueStore extends TopicStore<CueTopic> {
   setEditing(on: boolean): void {
     if (on && this.locked !== "") this.show.say(this.locked);
     this.editing = on && this.locked === "";
+    this.keysPlay = false;
     if (this.editing) this.edited ??= this.standby?.identity ?? this.way.current?.identity ?? null;
     this.tell("view");
+  }
+
+  /** Lets keys play while cues are edited, until a field is entered. */
+  letKeysPlay(on: boolean): void {
+    this.keysPlay = on;
+    this.tell("view");
+  }
+
+  /** Takes note of whether a field has the focus. */
+  setTyping(on: boolean): void {
+    if (on === this.typing) return;
+    this.typing = on;
+    if (on) this.keysPlay = false;
+    this.tell("view");
+  }
+
+  /** Edits again where a page before this one did, once the list is there; null: it played. */
+  resume(edited: string | null): void {
+    this.#resumes = edited;
   }
 
   edit(identity: string | null): void {
@@ -210,7 +262,7 @@ export class CueStore extends TopicStore<CueTopic> {
   /** GO: the cue that stands by here; where another one does by now, nothing is called. */
   go(): void {
     const seen = this.standby?.identity ?? "";
-    if (seen === "" && !this.paused) this.show.say("No cue stands by: choose one, or press Back.");
+    if (seen === "" && !this.paused) this.#sayWhile(this.list.length === 0 ? NO_CUES_YET : NONE_STANDS_BY);
     else this.play({ type: "go", seen, cue_list: this.name });
   }
 
@@ -223,13 +275,28 @@ export class CueStore extends TopicStore<CueTopic> {
   }
 
   assertLook(): void {
-    this.play({ type: "assert_look", cue_list: this.name });
+    if (this.play({ type: "assert_look", cue_list: this.name })) this.forgetPanic();
+  }
+
+  /** Panic of all characters: this page plays none of them alone. */
+  panic(): void {
+    this.#pressed = true;
+    this.show.panic(true);
+  }
+
+  /** The look has been brought back, or somebody has read that it is gone. */
+  forgetPanic(): void {
+    this.panicked = "";
+    this.tell("cues");
   }
 
   /** Shows a cue in preview as it will stand; nothing moves on air. */
   lookAt(number: string): void {
     if (!this.play({ type: "preview_cue", cue: number, cue_list: this.name })) return;
-    this.show.say(`Cue ${number} is in preview: change it at the console there, and update it there.`, "done");
+    const console = { label: "Console in preview", address: "/console?bus=preview", tab: "omote-preview" };
+    this.show.say(`Cue ${number} is in preview: change it at the console there, and update it there.`, "done", [
+      console,
+    ]);
   }
 
   /** Has a cue stand by; nothing moves. */
@@ -254,16 +321,56 @@ export class CueStore extends TopicStore<CueTopic> {
 
   /** Asks for an edit; `failed` is told why it was not made, without it the page is. */
   change(asked: Asked, failed?: (reason: string) => void): boolean {
-    return this.#ask(this.locked, asked, failed);
+    const say = failed ?? ((reason: string) => this.show.say(reason));
+    let forget = (): void => undefined;
+    const sent = this.#ask(this.locked, asked, (reason) => {
+      forget();
+      say(reason);
+    });
+    if (sent) forget = this.#local.add(asked, this.now());
+    return sent;
   }
 
-  /** The same, and what is new by it is edited next. */
-  add(asked: Asked, failed?: (reason: string) => void): void {
-    this.#expects = this.change(asked, (reason) => {
-      this.#expects = false;
+  /** The same, and what is new by it is edited next; `came` is told once it is there. */
+  add(asked: Asked, failed?: (reason: string) => void, came = (): void => undefined): void {
+    const sent = this.change(asked, (reason) => {
+      this.#expects = "";
       if (failed === undefined) this.show.say(reason);
       else failed(reason);
     });
+    if (!sent) return;
+    this.#expects = "filled";
+    this.#came = (cue) => {
+      came();
+      if (asked.type !== "record_cue" || Object.keys(cue.moves).length > 0) return;
+      this.show.say(
+        `Cue ${cue.number} is empty: all stands as the cues before it leave it. Tick whose look it is to have.`,
+      );
+    };
+  }
+
+  /** Begins an empty cue behind the one that is edited. Until it is there no other takes what is typed. */
+  begin(): void {
+    const after = this.edited ?? "";
+    this.add({ type: "put_cue", number: "", after, cue_list: this.name });
+    if (this.#expects === "") return;
+    this.#expects = "empty";
+    this.edit(null);
+  }
+
+  /** Takes in a list as text (TOML) in the place of the shown one; what is wrong in it, each with its line, "" for nothing. */
+  async takeIn(text: string): Promise<string> {
+    if (this.locked !== "") return this.locked;
+    try {
+      const answer = await this.request(this.#address(this.name), { method: "POST", body: text });
+      return answer.ok ? "" : (await answer.text()) || `The show did not take it in (${answer.status}).`;
+    } catch {
+      return "Not sent: the link to the show is lost.";
+    }
+  }
+
+  #address(name: string): string {
+    return `/cue_lists/${encodeURIComponent(name)}`;
   }
 
   undo(way: "undo" | "redo"): void {
@@ -301,6 +408,8 @@ export class CueStore extends TopicStore<CueTopic> {
     this.status = state.cues ?? NO_CUES;
     this.#follow();
     this.#noteIgnored();
+    this.#notePanic(state);
+    this.#endNotice();
     const [cues, time] = [keyOf(this.status, false), keyOf(this.status, true)];
     const before = this.#shown;
     this.#shown = { cues, time };
@@ -337,12 +446,56 @@ export class CueStore extends TopicStore<CueTopic> {
     const { ignored, ignored_count: count } = this.status;
     const news = this.#ignoredCount !== null && count > this.#ignoredCount;
     this.#ignoredCount = count;
-    if (news) this.#ignoredUntil = this.now() + IGNORED_MS;
-    const shown = this.now() < this.#ignoredUntil ? ignored : "";
+    const stands = `${this.way.standby?.identity} ${this.way.standby?.number}`;
+    if (news) [this.#ignoredUntil, this.#ignoredAt] = [this.now() + IGNORED_MS, stands];
+    const shown = this.now() < this.#ignoredUntil && stands === this.#ignoredAt ? ignored : "";
     if (news) this.show.log(ignored, "attention");
     if (shown === this.ignored) return;
     this.ignored = shown;
     this.tell("cues");
+  }
+
+  /** Says whose look a panic has taken off, until a cue is called again. */
+  #notePanic({ characters }: State): void {
+    const before = this.#panics;
+    this.#panics = Object.fromEntries(Object.entries(characters).map(([name, { panics }]) => [name, panics]));
+    const hit = Object.keys(this.#panics).filter((name) => (this.#panics[name] ?? 0) > (before[name] ?? Infinity));
+    const stands = `${this.way.current?.identity} ${this.way.since === null}`;
+    if (hit.length > 0) {
+      const whose =
+        hit.length === Object.keys(characters).length
+          ? "of all"
+          : hit.map((name) => this.labels[name] || name).join(", ");
+      const look =
+        this.way.current === null
+          ? ""
+          : ` The look of cue ${this.way.current.number} is off: Assert (A) brings it back.`;
+      this.panicked = `PANIC ${whose}, pressed ${this.#pressed ? "here" : "at another page"}.${look}`;
+      this.#panickedAt = stands;
+      this.#pressed = false;
+      this.show.log(this.panicked, "attention");
+      this.tell("cues");
+    } else if (this.panicked !== "" && stands !== this.#panickedAt) this.forgetPanic();
+  }
+
+  /** Says what is true for as long as no cue stands by, or for a time. */
+  #sayWhile(notice: string, milliseconds = Infinity): void {
+    this.#said = { notice, until: this.now() + milliseconds };
+    this.show.say(notice);
+  }
+
+  /** That the link is back is news for some seconds. */
+  #noteLink(): void {
+    const { notice, tone } = this.show;
+    if (this.show.online && notice !== null && tone === "done") this.#said = { notice, until: this.now() + BACK_MS };
+  }
+
+  /** A notice that is not true any more is taken away, where no other has taken its place. */
+  #endNotice(): void {
+    const { notice, until } = this.#said;
+    if (notice === "" || (this.now() < until && (until !== Infinity || this.way.standby === null))) return;
+    this.#said = { notice: "", until: 0 };
+    if (this.show.notice === notice) this.show.say(null);
   }
 
   /** Reads the cues of the shown list where they have been edited since. */
@@ -366,7 +519,7 @@ export class CueStore extends TopicStore<CueTopic> {
   /** Null where it cannot be read; a list that has gone has no cue. */
   async #fetch(name: string): Promise<CueListDocument | null> {
     try {
-      const answer = await this.request(`/cue_lists/${encodeURIComponent(name)}`, { cache: "no-store" });
+      const answer = await this.request(this.#address(name), { cache: "no-store" });
       if (answer.status === 204) return { edits: this.status.edits, cues: [] };
       return answer.ok ? ((await answer.json()) as CueListDocument) : null;
     } catch {
@@ -378,10 +531,18 @@ export class CueStore extends TopicStore<CueTopic> {
     const known = new Set(this.list.map(({ identity }) => identity));
     const fresh = cues.find(({ identity }) => !known.has(identity));
     this.list = cues;
+    this.#local.settle(cues, this.now());
     this.#read = wanted;
-    if (this.#expects && fresh !== undefined) {
-      this.#expects = false;
+    if (this.#expects !== "" && fresh !== undefined) {
       if (this.editing) this.edited = fresh.identity;
+      if (this.editing && this.#expects === "empty") this.begun = fresh.identity;
+      this.#expects = "";
+      this.#came(fresh);
+    }
+    if (this.#resumes !== null) {
+      this.setEditing(true);
+      if (this.find(this.#resumes) !== null) this.edited = this.#resumes;
+      this.#resumes = null;
     }
     if (this.find(this.edited) === null) this.edited = null;
     this.tell("list");

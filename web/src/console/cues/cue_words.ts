@@ -2,7 +2,7 @@
 
 import { ALL } from "../../link/constants";
 import type { Cue, CueListStatus } from "../../link/messages";
-import { goalText, kindOf } from "./goal_text";
+import { goalText, kindOf, partsInOrder } from "./goal_text";
 
 /** Seconds that count down or up: tenths below a minute, then minutes and seconds. */
 export function countOf(seconds: number): string {
@@ -48,10 +48,10 @@ export function movesWords(
   { moves, actions }: Pick<Cue, "moves" | "actions">,
   labels: Readonly<Record<string, string>>,
 ): string {
-  const moved = Object.entries(moves).map(
-    ([part, { goal, seconds, delay }]) =>
-      `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late(delay)})`,
-  );
+  const moved = partsInOrder(Object.keys(moves), Object.keys(labels)).map((part) => {
+    const { goal = {}, seconds = 0, delay = 0 } = moves[part] ?? {};
+    return `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late(delay)})`;
+  });
   const done = actions.map(({ does, to, what, delay, sound }) =>
     does === "say"
       ? `${labels[to] || to}: ${what === "" ? `sound ${sound}` : `“${what}”`}${late(delay)}`

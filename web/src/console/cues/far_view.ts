@@ -168,10 +168,10 @@ export class FarView extends CueElement {
 
   /** What wants attention takes the place of what comes later. */
   #words() {
-    const { unheard, ignored, paused, status } = this.cues;
+    const { unheard, ignored, paused, panicked, status } = this.cues;
     if (unheard !== "") return html`<div class="warning deaf" role="alert">${unheard}</div>`;
     if (paused) return html`<div class="warning" role="status">PAUSED</div>`;
-    const said = ignored || status.rejected[0] || this.cues.show.notice;
+    const said = panicked || ignored || status.rejected[0] || this.cues.show.notice;
     return said ? html`<div class="warning" role="alert">${said}</div>` : null;
   }
 

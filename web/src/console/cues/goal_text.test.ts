@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstGoal, type Goal, goalText, parseGoal } from "./goal_text";
+import { firstGoal, type Goal, goalText, parseGoal, partsInOrder } from "./goal_text";
 
 const BOTH: readonly (readonly [string, Goal, string])[] = [
   ["one/face", { dog: 1 }, "dog"],
@@ -10,7 +10,8 @@ const BOTH: readonly (readonly [string, Goal, string])[] = [
   ["one/clip", { "line 1": 1 }, "line 1"],
   ["one/clip", {}, "stop"],
   ["one/clip", { stop: 1 }, "stop = 1"],
-  ["one/head", { yaw: -0.2, pitch: 1e-7, roll: 0 }, "yaw = -0.2, pitch = 1e-7, roll = 0"],
+  ["one/head", { yaw: -Math.PI / 9, pitch: Math.PI / 2, roll: 0 }, "yaw = -20°, pitch = 90°, roll = 0°"],
+  ["one/place", { x: -0.2, depth: 1, size: 1, turn: Math.PI }, "x = -0.2, depth = 1, size = 1, turn = 180°"],
   ["one/presence", { presence: 0.1 }, "0.1"],
   ["*/black", { black: 1 }, "1"],
   ["one/layer:tracker", { brows: 0.5, eyes: 0.5, mouth: 0.5, rest: 0.5, head: 0.5, gaze: 0.5 }, "0.5"],
@@ -21,10 +22,27 @@ const BOTH: readonly (readonly [string, Goal, string])[] = [
   ["one/face", { 'a "b" = c, d': 1 }, '"a \\"b\\" = c, d" = 1'],
 ];
 
+it("has the parts of each character together, and those of the scene at the end", () => {
+  const parts = ["one/expression", "two/expression", "*/black", "gone/face", "*/light", "two/look", "one/face"];
+  const ordered = ["two/expression", "two/look", "one/face", "one/expression", "gone/face", "*/light", "*/black"];
+  expect(partsInOrder(parts, ["two", "one"])).toEqual(ordered);
+});
+
 describe("goals as text", () => {
   it.each(BOTH)("%s %j is %s, and back", (part, goal, text) => {
     expect(goalText(part, goal)).toBe(text);
-    expect(parseGoal(part, text)).toEqual(goal);
+    const read = parseGoal(part, text);
+    expect(Object.keys(read)).toEqual(Object.keys(goal));
+    for (const [name, value] of Object.entries(goal)) expect(read[name]).toBeCloseTo(value, 12);
+  });
+
+  it("reads degrees with or without their sign, and leaves what is not written as it was, to the last bit", () => {
+    const before = { yaw: 0.3490658503988659, pitch: 0.1234567890123456, roll: -1e-7 };
+    expect(goalText("one/head", before)).toBe("yaw = 20°, pitch = 7.1°, roll = 0°");
+    expect(parseGoal("one/head", "yaw = 30", before)).toEqual({ ...before, yaw: 30 * (Math.PI / 180) });
+    expect(parseGoal("one/head", "yaw = 20°, pitch = 7.1 °, roll = 0", before)).toEqual(before);
+    expect(parseGoal("one/gaze", "yaw = 0")).toEqual({ yaw: 0, pitch: 0 });
+    expect(goalText("one/place", { x: 0.123456789, depth: 0, size: 1, turn: 0 })).toContain("x = 0.123,");
   });
 
   it("reads what the text files have too", () => {
@@ -40,7 +58,9 @@ describe("goals as text", () => {
 
   it.each([
     ["one/face", " ", "Give where one/face goes"],
-    ["one/head", "0.5", "yaw = 0, pitch = 0, roll = 0"],
+    ["one/head", "0.5", "yaw = 0°, pitch = 0°, roll = 0°"],
+    ["one/gaze", "yaw = 45", "yaw goes from -40° to 40°, not to 45°"],
+    ["*/black", "black = 1°", '"1°" is no number for black'],
     ["*/black", "dark", "*/black goes to numbers: 1."],
     ["one/expression", "joy = much", '"much" is no number for joy'],
     ["one/expression", "joy = 0,7", '"7" is no goal'],

@@ -1,6 +1,9 @@
-/** Goals of cues as people write them: as in the text files of docs/howto/cues.md, without their outer brackets. */
+/**
+ * Goals of cues as people write them: as in the text files of docs/howto/cues.md, without their outer brackets, and
+ * angles in degrees, as the console has them.
+ */
 
-import { LAYER_PARTS, LAYERS, PLAY_REGIONS } from "../../link/constants";
+import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS } from "../../link/constants";
 import { clipCallOf, clipWords } from "./clip_goal";
 
 export type Goal = Readonly<Record<string, number>>;
@@ -21,6 +24,16 @@ export const CHARACTER_PARTS = [
 ];
 export const SCENE_PARTS = ["light", "framing", "black"] as const;
 
+/** The parts of a cue as people look for them: those of each character together, in their order, then of the scene. */
+export function partsInOrder(parts: readonly string[], characters: readonly string[]): string[] {
+  const ranks = [...CHARACTER_PARTS, ...SCENE_PARTS];
+  const owners = [...new Set([...characters, ...parts.map(ownerOf).filter((owner) => owner !== ALL)]), ALL];
+  const rank = (part: string): number => owners.indexOf(ownerOf(part)) * ranks.length + ranks.indexOf(kindOf(part));
+  return parts.toSorted((one, other) => rank(one) - rank(other));
+}
+
+const ownerOf = (part: string): string => part.slice(0, part.lastIndexOf("/"));
+
 /** How the text says that a region goes with the whole face. */
 const WITH_FACE = "face";
 /** How it says that clips stop. */
@@ -38,6 +51,17 @@ const NUMBERS: Readonly<Record<string, Goal>> = {
     LAYERS.map((layer) => [`layer:${layer}`, Object.fromEntries(LAYER_PARTS.map((part) => [part, 1]))]),
   ),
 };
+
+/** How far each angle goes either way, in degrees: the show has them in radians. */
+const ANGLES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
+  head: { yaw: 90, pitch: 90, roll: 90 },
+  gaze: { yaw: 40, pitch: 30 },
+  place: { turn: 180 },
+  look: { yaw: 180, pitch: 90 },
+};
+const RADIANS = Math.PI / 180;
+
+const furthest = (part: string, name: string): number | undefined => ANGLES[kindOf(part)]?.[name];
 
 /** The name of a part without whose it is. */
 export const kindOf = (part: string): string => part.slice(part.lastIndexOf("/") + 1);
@@ -64,9 +88,17 @@ export function goalText(part: string, goal: Goal): string {
   if (clip !== null) return clipWords(clip);
   const numbers = kindOf(part) in NUMBERS;
   if (numbers && takesOneNumber(part) && entries.every(([, value]) => value === first[1])) return String(first[1]);
+  const number = (name: string, value: number): string => numberText(part, name, value);
   const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];
   if (entries.length === 1 && plain && first[0] !== nothingOf(part)) return first[0];
-  return entries.map(([name, value]) => `${keyText(name)} = ${value}`).join(", ");
+  return entries.map(([name, value]) => `${keyText(name)} = ${number(name, value)}`).join(", ");
+}
+
+/** A number as people read it: angles in tenths of a degree, places in millimetres. */
+function numberText(part: string, name: string, value: number): string {
+  const rounded = (number: number, decimals: number): string => String(Number(number.toFixed(decimals)) || 0);
+  if (furthest(part, name) !== undefined) return `${rounded(value / RADIANS, 1)}°`;
+  return kindOf(part) === "place" ? rounded(value, 3) : String(value);
 }
 
 const keyText = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name));
@@ -74,19 +106,32 @@ const keyText = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.s
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
 const ENTRY = /^\s*(?:"((?:[^"\\]|\\.)*)"|([^=,"]+?))\s*=\s*([^,]*?)\s*(?:,|$)/;
 
-/** The goal that a text says; an Error with a sentence where it says none. Brackets and quotes may be left out. */
-export function parseGoal(part: string, text: string): Record<string, number> {
+/**
+ * The goal that a text says; an Error with a sentence where it says none. Brackets and quotes may be left out. `before`:
+ * the goal that it takes the place of: of numbers those that are not named, or that read as before, stay as they are.
+ */
+export function parseGoal(part: string, text: string, before?: Goal): Record<string, number> {
   const bare = text
     .trim()
     .replace(/^\{(.*)\}$/s, "$1")
     .trim();
   if (bare === "") throw new Error(`Give where ${part} goes: ${exampleOf(part)}.`);
-  if (bare.replace(/"(?:[^"\\]|\\.)*"/g, "").includes("=")) return parseEntries(part, bare);
+  if (bare.replace(/"(?:[^"\\]|\\.)*"/g, "").includes("=")) return completed(part, parseEntries(part, bare), before);
   const numbers = NUMBERS[kindOf(part)];
   const name = unquoted(bare);
   if (numbers === undefined) return name === nothingOf(part) ? {} : { [name]: 1 };
   if (!takesOneNumber(part) || !NUMBER.test(bare)) throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
   return Object.fromEntries(Object.keys(numbers).map((each) => [each, Number(bare)]));
+}
+
+function completed(part: string, goal: Goal, before?: Goal): Record<string, number> {
+  const numbers = NUMBERS[kindOf(part)];
+  const reads = (name: string, value: number): string => numberText(part, name, value);
+  const kept = Object.entries(before ?? {}).filter(
+    ([name, value]) => name in goal && reads(name, value) === reads(name, goal[name] ?? Number.NaN),
+  );
+  const typed = { ...goal, ...Object.fromEntries(kept) };
+  return numbers === undefined ? typed : { ...numbers, ...before, ...typed };
 }
 
 /** Whether one number says all of a part: it has no other, or all are of one kind, as of a layer. */
@@ -100,11 +145,20 @@ function parseEntries(part: string, text: string): Record<string, number> {
     if (found === null) throw new Error(`"${rest.trim()}" is no goal: ${exampleOf(part)}.`);
     const [whole, quoted, plain = "", value = ""] = found;
     const name = quoted === undefined ? plain.trim() : unquoted(`"${quoted}"`);
-    if (!NUMBER.test(value)) throw new Error(`"${value}" is no number for ${name}; write it with a point: 0.5.`);
-    goal[name] = Number(value);
+    goal[name] = numberIn(part, name, value);
     rest = rest.slice(whole.length);
   }
   return goal;
+}
+
+function numberIn(part: string, name: string, text: string): number {
+  const most = furthest(part, name);
+  const bare = most === undefined ? text : text.replace(/\s*°$/, "");
+  if (!NUMBER.test(bare)) throw new Error(`"${text}" is no number for ${name}; write it with a point: 0.5.`);
+  const value = Number(bare);
+  if (most === undefined) return value;
+  if (Math.abs(value) > most) throw new Error(`${name} goes from -${most}° to ${most}°, not to ${value}°.`);
+  return value * RADIANS;
 }
 
 function unquoted(text: string): string {
@@ -117,6 +171,6 @@ function unquoted(text: string): string {
 }
 
 const exampleOf = (part: string): string =>
-  (kindOf(part) === "look" && "character two, stage, x = 0, y = 0, z = 2") ||
+  (kindOf(part) === "look" && "character two, stage, yaw = 20°, pitch = 0°, or x = 0, y = 0, z = 2") ||
   firstGoal(part) ||
   "a name, or weights such as joy = 0.7, neutral = 0.3";

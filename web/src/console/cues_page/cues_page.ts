@@ -5,7 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import type { FramePainter } from "../../ui/frame_painter";
 import { pressed } from "../../ui/gestures";
-import { listenToKeys } from "../../ui/key_presses";
+import { focusedElement, hasFieldFocus, isBox, listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
@@ -29,6 +29,9 @@ import "../cues/cue_tabs";
 import "../cues/far_view";
 import "../../ui/keys_help";
 
+/** The parameter of the address that says which cue is edited once the page is there. */
+export const EDITED = "edited";
+
 @customElement("omote-cues-page")
 export class CuesPage extends CueElement {
   @property({ attribute: false }) thumbnails!: Thumbnails;
@@ -37,6 +40,7 @@ export class CuesPage extends CueElement {
   @property({ type: Boolean, reflect: true }) far = false;
   @state() private form: CueFormKind | null = null;
   @state() private help = false;
+  @state() private printed = "";
   @query("omote-cue-list") private rows!: CueListView | null;
 
   static override styles = [palette, base, toolPage, warning, offersStyle, cuesPageStyle];
@@ -48,6 +52,9 @@ export class CuesPage extends CueElement {
     const everywhere = (event: KeyboardEvent): boolean => isPanic(event) && this.#panic(event.repeat);
     whileShown(this, () => listenToKeys({ everywhere, page: this.#key }));
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
+    // where the focus moves inside one element no page hears of it but by the key or press that moved it
+    const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
+    hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
   }
 
   override render() {
@@ -58,7 +65,7 @@ export class CuesPage extends CueElement {
     return html`${this.#header()}
       ${this.form === null ? nothing : keyed(this.form, html`<omote-cue-form class="panel form" .cues=${this.cues} .kind=${this.form} @close=${this.#closeForm}></omote-cue-form>`)}
       <omote-cue-list class="panel" .cues=${this.cues} .thumbnails=${this.thumbnails}>
-        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${this.#new}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button>` : nothing}
+        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${() => this.cues.begin()}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button><button title="Takes a list in as text (TOML)" @click=${() => this.#open("take_in")}>Import</button>` : nothing}
         <button @click=${() => this.#open("go_to")}>Go to…</button>
       </omote-cue-list>
       ${editing ? html`<omote-cue-editor class="panel" .cues=${this.cues}></omote-cue-editor>` : html`<omote-cue-air class="panel" .cues=${this.cues}></omote-cue-air>`}
@@ -69,16 +76,23 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { notice, tone } = cues.show;
     return html`<header><div class="bar">
-      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <h1>CUES <span>${cues.name}</span></h1><span class="printed">${this.printed}</span><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
       <omote-record-light .context=${{ store: cues.show, painter: this.painter }}></omote-record-light>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
       ${this.#modes()}
       <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => this.#showHelp(true)}>?</button>
-      <button class="print" title="Print the running order" @click=${() => print()}>Print</button>
+      <button class="print" title="Print the running order" @click=${this.#print}>Print</button>
       </div>${this.#panicKey()}</header>`;
   }
+
+  /** What stands on paper beside the name of the list: another print is another day's. */
+  readonly #print = (): void => {
+    const date = new Intl.DateTimeFormat(undefined, { dateStyle: "long", timeStyle: "short" }).format(new Date());
+    this.printed = [...Object.values(this.cues.labels), date].join(" · ");
+    void this.updateComplete.then(() => print());
+  };
 
   #panicKey() {
     const panic = pressed(() => this.#panic());
@@ -96,7 +110,7 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { locked } = cues.status;
     const lock = (): void => void cues.play({ type: "set_show_mode", on: !locked });
-    return html`<button class="edit" title=${cues.locked || "Record and edit cues (E)"} aria-pressed=${cues.editing} ?disabled=${cues.locked !== ""} @click=${() => cues.setEditing(!cues.editing)}>${locked ? "Locked" : "Edit"}</button>
+    return html`<button class="edit" title=${cues.locked || (cues.editing ? "Back to playing (Esc)" : "Record and edit cues (E)")} aria-pressed=${cues.editing} ?disabled=${cues.locked !== ""} @click=${() => cues.setEditing(!cues.editing)}>${locked ? "Locked" : "Edit"}</button>
       ${cues.mayLock ? html`<button class="lock" title="Show mode: nobody edits cues" aria-pressed=${locked} @click=${lock}>Show mode</button>` : locked ? html`<span class="locked">SHOW MODE</span>` : nothing}`;
   }
 
@@ -118,11 +132,6 @@ export class CuesPage extends CueElement {
     this.form = null;
   };
 
-  readonly #new = (): void => {
-    const after = this.cues.edited ?? "";
-    this.cues.add({ type: "put_cue", number: "", after, cue_list: this.cues.name });
-  };
-
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {
     const step = typing ? null : stepOf(event);
     if (step !== null) {
@@ -130,11 +139,16 @@ export class CuesPage extends CueElement {
       if (!event.repeat) this.cues.undo(step);
       return;
     }
-    const command = cueCommandOf(event, typing || isChecked(event));
+    const place = typing || (event.key !== "Escape" && event.composedPath().some(isBox)) ? "field" : this.#place;
+    const command = cueCommandOf(event, place, this.cues.keysPlay);
     if (command === null) return;
     event.preventDefault();
     this.#obey(command);
   };
+
+  get #place(): "playing" | "editing" {
+    return this.cues.editing ? "editing" : "playing";
+  }
 
   /** The space bar is GO alone: the button in focus is not pressed by it too. */
   readonly #spaceUp = (event: KeyboardEvent): void => {
@@ -149,12 +163,30 @@ export class CuesPage extends CueElement {
     else if (command === "earlier" || command === "later") cues.stepStandby(command === "earlier" ? -1 : 1);
     else if (command === "pause") cues.pause();
     else if (command === "assert") cues.assertLook();
-    else if (command === "bus") changeBus(cues.show);
+    else if (command === "bus") this.#changeBus();
     else if (command === "help") this.#showHelp(!this.help);
     else if (command === "search") this.rows?.search();
+    else if (command === "leave") this.#leave();
     else if (command === "edit") {
       if (!this.far) cues.setEditing(!cues.editing);
     } else if (cues.editing && cues.edited !== null) this.#obeyEditing(command, cues.edited);
+  }
+
+  /** The page that comes for the other bus goes on editing where this one did. */
+  #changeBus(): void {
+    const { editing, edited, show } = this.cues;
+    const address = new URL(location.href);
+    if (editing) address.searchParams.set(EDITED, edited ?? "");
+    history.replaceState(null, "", address);
+    changeBus(show);
+  }
+
+  /** Out of what is innermost: a box that has the focus, the form, editing. */
+  #leave(): void {
+    const focused = focusedElement();
+    if (focused !== null && isBox(focused)) focused.blur();
+    else if (this.form !== null) this.#closeForm();
+    else this.cues.setEditing(false);
   }
 
   #obeyEditing(command: CueCommand, edited: string): void {
@@ -166,13 +198,8 @@ export class CuesPage extends CueElement {
     }
   }
 
-  /** Of all characters: this page plays none of them alone. */
   #panic(held = false): boolean {
-    if (!held) this.cues.show.panic(true);
+    if (!held) this.cues.panic();
     return true;
   }
 }
-
-/** A box that is ticked is a field too: the space bar is its own. */
-const isChecked = (event: Event): boolean =>
-  event.composedPath().some((target) => target instanceof HTMLInputElement && target.type === "checkbox");

@@ -89,6 +89,12 @@ export const cuesPageStyle = css`
   .notice.done {
     color: var(--text);
   }
+  .printed {
+    display: none;
+  }
+  .panic:hover {
+    color: var(--attention);
+  }
   .panic {
     min-width: 110px;
     min-height: 44px;
@@ -118,6 +124,20 @@ export const cuesPageStyle = css`
       grid-template-columns: minmax(0, 1fr) 340px;
     }
   }
+  @media (max-width: 1400px) {
+    :host([editing]) .step span {
+      display: none;
+    }
+  }
+  @media (max-width: 900px) {
+    h1,
+    .step span {
+      display: none;
+    }
+    .bar {
+      gap: 4px 6px;
+    }
+  }
   @media (max-width: 720px) {
     :host {
       grid-template: "head" auto "form" auto "side" auto "list" minmax(0, 1fr) "go" auto / minmax(0, 1fr);
@@ -140,11 +160,9 @@ export const cuesPageStyle = css`
     omote-cue-air {
       max-height: 24dvh;
     }
-    h1,
     a[target="_blank"],
     .print,
-    .help,
-    .step span {
+    .help {
       display: none;
     }
     .notice {
@@ -159,7 +177,7 @@ export const cuesPageStyle = css`
       overflow: visible;
       background: #fff;
     }
-    .bar > :not(h1),
+    .bar > :not(h1, .printed),
     .panic,
     omote-cue-air,
     omote-cue-editor,
@@ -167,7 +185,9 @@ export const cuesPageStyle = css`
     .form {
       display: none;
     }
-    h1 {
+    h1,
+    .printed {
+      display: block;
       color: #000;
     }
     omote-cue-list.panel {

@@ -15,7 +15,7 @@ import { seatToken } from "../leases/seat_token";
 import { showPreviewBar } from "../panels/preview_bar";
 import { ConsoleStore } from "../store/console_store";
 import { openThumbnails } from "../thumbnail_drawing";
-import { CuesPage } from "./cues_page";
+import { CuesPage, EDITED } from "./cues_page";
 
 const PAGE = randomId();
 /** Who sits here: whom the console of the same tab was for. */
@@ -60,6 +60,9 @@ function start(): void {
   const parameters = new URLSearchParams(location.search);
   const page = new CuesPage();
   page.cues = new CueStore(store, parameters.get("list") ?? "");
+  page.cues.resume(parameters.get(EDITED));
+  parameters.delete(EDITED);
+  history.replaceState(null, "", `?${parameters}`);
   page.thumbnails = new Thumbnails();
   page.painter = new FramePainter();
   page.far = parameters.has("far");

@@ -32,5 +32,5 @@ export const viewOffers = (offers: readonly Offer[], dismiss: () => void) =>
 
 const offerView = (offer: Offer) =>
   "address" in offer
-    ? html`<a class="offer" href=${offer.address} target=${EDITOR_TAB}>${offer.label}</a>`
+    ? html`<a class="offer" href=${offer.address} target=${offer.tab ?? EDITOR_TAB}>${offer.label}</a>`
     : html`<button class="offer" @click=${offer.act}>${offer.label}</button>`;

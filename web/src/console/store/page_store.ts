@@ -37,9 +37,9 @@ type PageTopic =
 /** What has changed, for elements that render (rarely); what moves is read every frame instead. */
 export type Topic = PageTopic | FromServer["type"];
 
-/** Where to go on from a notice, or what to do about it. */
+/** Where to go on from a notice, in the tab of the editor or another, or what to do about it. */
 export type Offer =
-  | { readonly label: string; readonly address: string }
+  | { readonly label: string; readonly address: string; readonly tab?: string }
   | { readonly label: string; readonly act: () => void };
 
 /** What stands in the bar until it is answered; `dismiss`: what its cross does. */
