@@ -53,6 +53,14 @@ def test_dropped_frames_and_angles_that_were_not_recorded_are_left_out() -> None
     assert (len(take.times), take.head(0), take.gaze(0)) == (1, None, None)
 
 
+def test_it_is_said_that_eyes_which_converge_are_turned_by_their_mean() -> None:
+    turned = [row("00:00:00:00", *[0.5] * 6, 0.1, 0.1), row("00:00:00:01", *[0.5] * 6, -0.02, 0.05)]
+    assert list(read_live_link_take(HEADER + "".join(turned)).notes) == [
+        "both eyes are turned by their mean; how far they converge (to 4 degrees) is lost"
+    ]
+    assert read_live_link_take(HEADER + turned[0]).notes == ()
+
+
 def test_rows_without_a_face_are_counted_but_not_one_that_is_cut_off() -> None:
     faces = [row(f"00:00:00:{frame:02}", *[0.5] * 8) for frame in range(60)]
     none = ["00:00:01:30.000,0\n", "00:00:01:31.000,0,,,,,,,,\n"]

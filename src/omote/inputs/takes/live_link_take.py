@@ -10,6 +10,7 @@ commas before decimals.
 from __future__ import annotations
 
 import csv
+import math
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -34,6 +35,8 @@ RATES = (24, 25, 30, 48, 50, 60, 120)
 NEAR = 2.0
 """Frames by which what was counted may be off a rate; where it is further from all, frames are missing."""
 ANGLES = {who: tuple(f"{who}{axis}" for axis in ("Yaw", "Pitch", "Roll")) for who in ("Head", "LeftEye", "RightEye")}
+SEEN_APART = math.radians(1.0)
+"""Of the eyes' yaws, what is said."""
 _TIME_CODE = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2})([:;])(\d{1,3}(?:\.\d+)?)")
 
 
@@ -48,6 +51,7 @@ def read_live_link_take(text: str) -> Take:
     codes = list[TimeCode]()
     frames = list[TrackerFrame]()
     faceless = list[str]()
+    apart = 0.0
     notes = TakeNotes()
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
@@ -66,11 +70,12 @@ def read_live_link_take(text: str) -> Take:
         frame = _read_row(row, names)
         notes.add_values(LeftOut(name, f"row {number}: {reason}") for name, reason in frame.left_out)
         frames.append(frame)
+        apart = max(apart, _eyes_apart(row))
     if not frames and (said := notes.sentences()):
         raise ValueError(f"the file has no frame: {said[0]}")
     rate = find_rate(codes)
     made = _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
-    return replace(made, notes=(*_tell_faceless(faceless, codes, rate), *made.notes))
+    return replace(made, notes=(*_tell_faceless(faceless, codes, rate), *_tell_apart(apart), *made.notes))
 
 
 def read_table(text: str) -> tuple[list[str], Iterator[dict[str, str]]]:
@@ -153,6 +158,20 @@ def _read_row(row: Mapping[str, str], names: Mapping[str, str]) -> TrackerFrame:
 def _read_angles(row: Mapping[str, str], columns: tuple[str, ...]) -> HeadAngles:
     yaw, pitch, roll = (read_number(row.get(column.lower()) or "0") for column in columns)
     return read_unreal_radians(yaw, pitch, roll)
+
+
+def _eyes_apart(row: Mapping[str, str]) -> float:
+    """Radians by which one eye is turned farther aside than the other; 0 where only one is known."""
+    small = {column.lower(): cell for column, cell in row.items()}
+    left, right = (read_number(small.get(columns[0].lower())) for columns in (ANGLES["LeftEye"], ANGLES["RightEye"]))
+    return abs(left - right) if math.isfinite(left - right) else 0.0
+
+
+def _tell_apart(apart: float) -> list[str]:
+    """That one gaze has no convergence, in a sentence; none where the eyes were turned alike. apart: radians."""
+    if apart < SEEN_APART:
+        return []
+    return [f"both eyes are turned by their mean; how far they converge (to {math.degrees(apart):.0f} degrees) is lost"]
 
 
 def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerFrame], notes: TakeNotes) -> Take:
