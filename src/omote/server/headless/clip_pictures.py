@@ -146,7 +146,8 @@ def begin_pictures(folder: Path, wanted: ClipPictures) -> dict[str, str]:
     except (FileNotFoundError, msgspec.DecodeError, UnicodeDecodeError):
         raise FileExistsError(f"the folder {folder} is not empty; name another, or empty it") from None
     for what in wanted.__struct_fields__:
-        there, asked = getattr(begun, what), getattr(wanted, what)
+        there = getattr(begun, what)
+        asked = getattr(wanted, what)
         if what != "pictures" and there != asked:
             raise FileExistsError(
                 f"the folder {folder} has pictures of another request ({what}: {there!s:.40}, not {asked!s:.40}); name "
