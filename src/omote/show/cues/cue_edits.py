@@ -243,12 +243,16 @@ def _left_by(tracked: Tracked, part: Part) -> Goal | None:
 
 def _rounded(part: Part, goal: Goal) -> Goal:
     """A goal with the numbers that its part stands at as a text shows them: a hand and a tracker give sixteen
-    digits."""
+    digits. One at the end of its range, which lies between two such numbers, stays."""
     ranges = ranges_of(part)
     if ranges is None:
         return goal
-    limits = {name: ranges[name] for name in goal}
-    return {name: min(max(round(goal[name], DECIMALS), low), high) for name, (low, high) in limits.items()}
+    rounded = {name: round(value, DECIMALS) for name, value in goal.items()}
+    return {
+        name: rounded[name] if low <= rounded[name] <= high else goal[name]
+        for name, (low, high) in ranges.items()
+        if name in goal
+    }
 
 
 def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
