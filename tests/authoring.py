@@ -23,6 +23,7 @@ from omote.show.declaration import Message
 from omote.showfile.changes import (
     Change,
     Content,
+    ContentRemoval,
     DocumentRemoval,
     Documents,
     Draft,
@@ -107,6 +108,8 @@ class Tables:
             match change:
                 case Content(key, data):
                     assert self.contents.setdefault(key, data) == data
+                case ContentRemoval(key):
+                    self.contents.pop(key, None)
                 case StoredDocument(kind, name, body):
                     self.documents[kind, name] = body
                 case DocumentRemoval(kind, name):

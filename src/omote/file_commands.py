@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from omote.model.cast import Cast
     from omote.show.cues.cue_book import CueBook
     from omote.showfile.changes import Stored
+    from omote.showfile.inspection import Inspection
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -27,7 +28,7 @@ file_app = typer.Typer(help="Looks into show files.", no_args_is_help=True)
 
 
 CueListOption = Annotated[str, typer.Option("--list", help="Of several lists of cues: its name.")]
-DocumentsOption = Annotated[str, typer.Option("--documents", help="Stored documents of a kind instead: layout.")]
+DocumentsOption = Annotated[str, typer.Option("--documents", help="Stored documents of a kind instead: layout, sound.")]
 
 
 @file_app.command("list")
@@ -36,10 +37,14 @@ def list_items(file: ShowFileArgument, json: JsonOption = False, documents: Docu
     from omote.showfile.inspection import inspect_show
 
     with exit_on_refusal():
-        stored = inspect_show(file).stored
+        inspection = inspect_show(file)
+        stored = inspection.stored
     if documents:
         named = stored.documents.get(documents, {})
-        sizes = [{"kind": documents, "name": name, "bytes": len(named[name])} for name in sorted(named)]
+        sizes = [
+            {"kind": documents, "name": name, "bytes": size_of_document(inspection, documents, named[name])}
+            for name in sorted(named)
+        ]
         print_rows(sizes, json=json, none=f"{file} has no documents of kind {documents}; omote file check counts all.")
         return
     rows = [
@@ -56,6 +61,15 @@ def list_items(file: ShowFileArgument, json: JsonOption = False, documents: Docu
         for item in sorted(stored.items, key=lambda item: (item.kind, item.place, item.id))
     ]
     print_rows(rows, json=json, none=f"{file} has no own faces or expressions yet.")
+
+
+def size_of_document(inspection: Inspection, kind: str, body: bytes) -> int:
+    """How many bytes a document of a kind takes, with the contents that it needs. inspection: of its file; body: its
+    JSON."""
+    from omote.show.objects.documents import contents_of
+
+    needed = (inspection.contents.get(key, b"") for key in contents_of(kind, body))
+    return len(body) + sum(map(len, needed))
 
 
 @file_app.command()
@@ -254,12 +268,14 @@ def give_out_cues(file: Path, name: str, output: Path, *, force: bool) -> None:
 @file_app.command()
 def forget(
     file: ShowFileArgument,
-    names: Annotated[list[str], typer.Argument(help="Own faces (omote file list), and all that are made of them.")],
+    names: Annotated[
+        list[str], typer.Argument(help="Own faces (omote file list) and all that are made of them; sounds.")
+    ],
     copies: Annotated[
         bool, typer.Option("--copies", help="Removes damaged copies beside the file too, where one is in them.")
     ] = False,
 ) -> None:
-    """Removes own faces for good: all revisions and drafts, from the file and from its good copies."""
+    """Removes own faces, with all revisions and drafts, and sounds for good, from the file and from its good copies."""
     from omote.server.persistence.forget_face import forget_faces
 
     with exit_on_refusal():

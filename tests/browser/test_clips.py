@@ -13,6 +13,7 @@ from playwright.sync_api import Page, expect
 from tests.browser.conftest import playing
 from tests.browser.pictures import picture
 from tests.browser.waiting import wait_until
+from tests.inputs.sounds.test_sound_file import wav
 
 OpenPage = Callable[..., Page]
 
@@ -173,6 +174,30 @@ def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: Ope
     expect(tile).to_have_attribute("aria-pressed", "true")
     tile.click()
     expect(tile).to_have_attribute("aria-pressed", "false")
+
+
+def test_a_sound_is_added_drawn_moved_and_recorded_along_with(open_page: OpenPage) -> None:
+    page = clip_page(open_page)
+    begin_clip(page, "Monologue")
+    page.get_by_label("Add a sound").set_input_files(
+        {"name": "line 1.wav", "mimeType": "audio/wav", "buffer": wav(3.0)}
+    )
+    wait_until(page, f"{CLIPS}.namedSound?.name === 'line 1'")
+    expect(page.get_by_label("Sound of the clip")).to_have_value("line 1")
+    page.keyboard.press("r")
+    wait_until(page, f"{CLIPS}.show.state.characters.one.speech?.sound === {CLIPS}.namedSound.sound")
+    play_channel(page, "jawOpen", 0.5)
+    page.get_by_role("button", name="Keep", exact=True).click()
+    wait_until(page, f"{CLIPS}.outline?.sound === 'line 1' && {CLIPS}.outline.lanes.length === 1")
+    expect(page.locator("path.wave")).to_have_attribute("d", re.compile("^M0.0 "))
+    began = page.evaluate(f"{CLIPS}.outline.sound_at")
+    page.get_by_label("The sound begins", exact=True).press("ArrowRight")
+    wait_until(page, f"Math.abs({CLIPS}.outline.sound_at - {began} - 0.1) < 0.002")
+    page.get_by_label("Name of the sound").fill("Opening")
+    page.get_by_label("Name of the sound").press("Enter")
+    wait_until(page, f"{CLIPS}.namedSound?.name === 'Opening' && {CLIPS}.outline.sound === 'line 1'")
+    page.get_by_label("Add a sound").set_input_files({"name": "a.txt", "mimeType": "text/plain", "buffer": b"no sound"})
+    expect(page.locator("[role=status].notice")).to_contain_text("send one of these")
 
 
 def test_nothing_is_cut_and_fingers_have_room(open_page: OpenPage) -> None:

@@ -85,7 +85,7 @@ def test_a_sound_is_bytes_or_a_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("sound", "error", "words"),
     [
-        ("a.wav", ValueError, r"sound is 'a.wav', which is no key .* give pathlib.Path\('a.wav'\)"),
+        ("a.wav", ValueError, r"sound is 'a.wav', which is neither a key .* give pathlib.Path\('a.wav'\)"),
         (3, TypeError, "the sound is a int; give the bytes of a file, or its Path"),
         (Path("nosuch.wav"), FileNotFoundError, "nosuch.wav"),
     ],

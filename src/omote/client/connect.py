@@ -74,6 +74,12 @@ class ConnectedShow(RemoteShow[None, Utterance]):
         ValueError where it is none."""
         return self._run(self._link.send_sound(read_bytes(sound)))
 
+    def add_sound(self, name: str, sound: bytes | Path, *, replace: bool = False) -> str:
+        """Adds a sound (as of `send_sound`) to the show file under a name, by which `say(sound=...)`, clips and cues
+        find it, after a restart too; returns its key. `replace`: it takes the place of the one of that name. ValueError
+        where it is none, or the show has no room."""
+        return self._run(self._link.add_sound(name, read_bytes(sound), replace=replace))
+
     @property
     def leases(self) -> Leases:
         """Who holds what, as the show told last."""
@@ -130,6 +136,12 @@ class AsyncConnectedShow(RemoteShow[Awaitable[None], Awaitable[AsyncUtterance]])
         """Sends a sound (WAV, MP3 or Ogg, to 16 MiB), or a file of one, and returns the key for `say(sound=...)`;
         ValueError where it is none."""
         return await self._link.send_sound(read_bytes(sound))
+
+    async def add_sound(self, name: str, sound: bytes | Path, *, replace: bool = False) -> str:
+        """Adds a sound (as of `send_sound`) to the show file under a name, by which `say(sound=...)`, clips and cues
+        find it, after a restart too; returns its key. `replace`: it takes the place of the one of that name. ValueError
+        where it is none, or the show has no room."""
+        return await self._link.add_sound(name, read_bytes(sound), replace=replace)
 
     @property
     def leases(self) -> Leases:

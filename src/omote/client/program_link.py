@@ -163,6 +163,19 @@ class ProgramLink:
         self._sounds.keep(key, data)
         return key
 
+    async def add_sound(self, name: str, data: bytes, *, replace: bool) -> str:
+        """Adds a sound (data) to the show file under a name, and returns its key; errors as of `upload_sound`. replace:
+        in the place of the one of that name."""
+        return await upload_sound(
+            self._show,
+            data,
+            headers=self._headers,
+            trusted=self._trusted,
+            timeout=self._timeout,
+            name=name,
+            replace=replace,
+        )
+
     async def speak(self, message: Say, sound: bytes | WantedSpeech | None = None) -> SpeechWatch:
         """Says something, with a sound that is sent first where there is one, or that a voice of the show speaks first;
         errors as of `send` and `send_sound`. message: the speech."""

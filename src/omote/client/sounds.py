@@ -16,7 +16,7 @@ from omote.show.declaration import ClientMessage
 from omote.show.objects.speech import MOST_BYTES, MOST_SOUNDS, SOUNDS_PATH, Say
 from omote.show.speech.known_sounds import NO_SOUND
 
-_KEY = re.compile("[0-9a-f]{32}")
+_FILE = re.compile(r"[/\\]|\.(wav|mp3|og[ga]|opus)$", re.IGNORECASE)
 
 
 class SentSound(msgspec.Struct, frozen=True):
@@ -37,34 +37,45 @@ def read_bytes(sound: object) -> bytes:
 
 
 def split_sound(sound: object) -> tuple[str, bytes | None]:
-    """The key of a sound that was sent, or the bytes of one that is to be sent first; "" and None for none.
+    """The key of a sound that was sent or the name of one, or the bytes of one that is to be sent first; "" and None
+    for none.
 
-    ValueError for a text that is no key, TypeError and OSError as `read_bytes`.
+    ValueError for a text that is the path of a file, TypeError and OSError as `read_bytes`.
     """
     if sound is None:
         return "", None
     if not isinstance(sound, str):
         return "", read_bytes(sound)
-    if sound and not _KEY.fullmatch(sound):
+    if _FILE.search(sound):
         raise ValueError(
-            f"sound is {sound[:80]!r}, which is no key of send_sound; for a file give pathlib.Path({sound[:80]!r})"
+            f"sound is {sound[:80]!r}, which is neither a key of send_sound nor the name of a sound; for a file give "
+            f"pathlib.Path({sound[:80]!r})"
         )
     return sound, None
 
 
 async def upload_sound(
-    show: str, data: bytes, *, headers: Mapping[str, str], trusted: ssl.SSLContext | bool, timeout: float
+    show: str,
+    data: bytes,
+    *,
+    headers: Mapping[str, str],
+    trusted: ssl.SSLContext | bool,
+    timeout: float,
+    name: str | None = None,
+    replace: bool = False,
 ) -> str:
     """The key of a sound that is sent to a show at an address, within some seconds.
 
     ValueError with the show's reason where it is none, ConnectionError where the show does not answer. show: its
-    address; data: of the sound; headers: of the request; trusted: the certificates; timeout: seconds.
+    address; data: of the sound; headers: of the request; trusted: the certificates; timeout: seconds; name: under which
+    the show file keeps it, None: it does not; replace: in the place of the one of that name.
     """
     limit = aiohttp.ClientTimeout(timeout)
+    query = {} if name is None else {"name": name, "replace": str(int(replace))}
     try:
         async with (
             aiohttp.ClientSession(headers=headers, timeout=limit) as session,
-            session.post(f"{show}{SOUNDS_PATH}", data=io.BytesIO(data), ssl=trusted) as response,
+            session.post(f"{show}{SOUNDS_PATH}", params=query, data=io.BytesIO(data), ssl=trusted) as response,
         ):
             if response.status >= 500:
                 raise ConnectionError(f"the show at {show} took no sound: {await response.text()}")

@@ -85,6 +85,7 @@ class Session(Protocol):
     members: Any
     sources: Any
     sounds: Any
+    named_sounds: Any
     texts: Any
     leasing: Any
     notes: Any

@@ -44,6 +44,7 @@ from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
 from omote.show.sources.sources_snapshot import Route, SurfaceSubscription
 from omote.show.speech.known_sounds import KnownSounds
+from omote.show.speech.named_sounds import NamedSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
 from omote.show.state import EyeOffset, offset_between, preview_state, state_of
@@ -70,8 +71,8 @@ class Recorder(Protocol):
     def note_routed(self, source: str, route: Route) -> None:
         """Notes that a source has taken over. route: what it plays."""
 
-    def note_sounds(self, seconds: Mapping[str, float]) -> None:
-        """Notes the sounds that there are, by their seconds."""
+    def note_sounds(self, seconds: Mapping[str, float], called: Mapping[str, str]) -> None:
+        """Notes the sounds that there are, by their seconds. called: keys by name."""
 
     def note_recast(self, digest: str) -> None:
         """Notes that another cast plays. digest: of the cast."""
@@ -117,6 +118,8 @@ class ShowSession:
         self.sources = OpenSources()
         self.surfaces: tuple[SurfaceSubscription, ...] = ()
         self.sounds = KnownSounds()
+        self._sent_sounds: dict[str, float] = {}
+        self.named_sounds = NamedSounds(self._tell_sounds)
         self.recorder: Recorder | None = None
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
@@ -198,7 +201,7 @@ class ShowSession:
         self._pass_role(who, message)
         if self._is_executed(who, message):
             return []  # a retry or a bouncing key
-        message = call_by_name(message, self.cast)
+        message = self.sounds.by_key(call_by_name(message, self.cast))
         unseen = message.follows_bus and self.members.looks_at(who) == "preview"
         if not unseen:
             self._pass_hands(who, message, find_addressed(self.scene, message), now)
@@ -313,7 +316,7 @@ class ShowSession:
         self.clips.note(frame)
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         cues = self.cues.status(self._now or 0.0)
-        sounds = self.sounds.keys
+        sounds = self.sounds.find
         state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, sounds=sounds, **numbers)
         self.preview_state = self._unseen(state) if self.members.any_in_preview else None
         return state
@@ -414,10 +417,20 @@ class ShowSession:
             self.recorder.note_left(who)
 
     def set_sounds(self, seconds: dict[str, float]) -> None:
-        """Notes the sounds that there are now, and no others, with their seconds."""
-        self.sounds.set(seconds)
+        """Notes the sounds that programs have sent and that there are now, and no others, with their seconds."""
+        self._sent_sounds = dict(seconds)
+        self._note_sounds()
+
+    def _note_sounds(self) -> None:
+        seconds = {**self._sent_sounds, **self.named_sounds.seconds()}
+        called = self.named_sounds.called()
+        self.sounds.set(seconds, called)
         if self.recorder is not None:
-            self.recorder.note_sounds(seconds)
+            self.recorder.note_sounds(seconds, called)
+
+    def _tell_sounds(self) -> None:
+        self._note_sounds()
+        self._told += self.for_consoles(self.named_sounds.message())
 
     def crew_now(self, now: float) -> Crew:
         """Who is connected, and what each stage draws."""
@@ -506,6 +519,8 @@ class ShowSession:
         lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
         if hello.role == "console" and self.clips.work != NO_WORK:
             lists.append(Outgoing(who, self.clips.work))
+        if hello.role == "console" and self.named_sounds.sounds:
+            lists.append(Outgoing(who, self.named_sounds.message()))
         return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
@@ -40,6 +40,7 @@ EYE_SECONDS = 0.25
 """Eyes of an expression that changes on air take as long as its skin does on a stage (`source_crossfade.ts`)."""
 
 Angles = tuple[float, float, float, float]
+FindSound = Callable[[str], str | None]
 
 
 @dataclass(frozen=True)
@@ -82,11 +83,11 @@ def state_of(
     revision: int,
     notes: ShowNotes = NO_NOTES,
     cues: CueStatus | None = None,
-    sounds: Collection[str] | None = None,
+    sounds: FindSound | None = None,
 ) -> State:
     """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has. cast:
-    what plays; epoch, number and revision: those of the state; notes: of the crew; cues: how far they are; sounds: the
-    keys of those that are there, None for any."""
+    what plays; epoch, number and revision: those of the state; notes: of the crew; cues: how far they are;
+    sounds: the key of one that is there, by what it is called, None for another; None for any."""
     return State(
         epoch=epoch,
         number=number,
@@ -130,7 +131,7 @@ def _with_panics(state: CharacterState, air: CharacterState | None) -> Character
 
 
 def character_state(
-    cast: Playable, character: CharacterFrame, eye_offset: EyeOffset, sounds: Collection[str] | None = None
+    cast: Playable, character: CharacterFrame, eye_offset: EyeOffset, sounds: FindSound | None = None
 ) -> CharacterState:
     """The complete state of a character; `eyes` and `gaze_lids` are what the gaze makes of it. cast: what plays;
     eye_offset: what is added to the eyes; sounds: as of `state_of`."""
@@ -186,9 +187,11 @@ def _home(frame: Frame) -> dict[str, Any]:
     return {**home, "speech": speech, "spoken": frame.spoken}
 
 
-def _clip_state(clip: ClipStatus, sounds: Collection[str] | None) -> ClipState:
+def _clip_state(clip: ClipStatus, sounds: FindSound | None) -> ClipState:
     fields = {**vars(clip), "missing": list(clip.missing)}
-    if clip.sound and sounds is not None and clip.sound not in sounds:
+    key = sounds(clip.sound) if clip.sound and sounds is not None else clip.sound
+    fields["sound"] = key
+    if key is None:
         fields |= {"sound": "", "heard": 0.0, "turn": 0, "silent": "its sound is not there any more"}
     return ClipState(**fields)
 

@@ -18,6 +18,7 @@ import msgspec
 from omote.showfile.changes import (
     Change,
     Content,
+    ContentRemoval,
     DocumentRemoval,
     Documents,
     Draft,
@@ -160,6 +161,8 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
     match change:
         case Content(key, data):
             connection.execute("INSERT INTO content VALUES (?, ?) ON CONFLICT DO NOTHING", (key, data))
+        case ContentRemoval(key):
+            connection.execute("DELETE FROM content WHERE key = ?", (key,))
         case DocumentRemoval(kind, name):
             connection.execute("DELETE FROM document WHERE kind = ? AND name = ?", (kind, name))
         case Revision():

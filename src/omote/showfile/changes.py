@@ -77,6 +77,12 @@ class Content(msgspec.Struct, frozen=True):
     data: bytes
 
 
+class ContentRemoval(msgspec.Struct, frozen=True):
+    """Removes the content of a key, which no revision needs; nothing where there is none."""
+
+    key: str
+
+
 class StoredDocument(msgspec.Struct, frozen=True):
     """A noun that the show file keeps by its kind and its name, such as a layout; body: JSON (`show.objects`)."""
 
@@ -92,8 +98,8 @@ class DocumentRemoval(msgspec.Struct, frozen=True):
     name: str
 
 
-Change = Content | Item | Revision | Draft | Edit | StoredDocument | DocumentRemoval
-"""A row that is put, or a document that is dropped.
+Change = Content | ContentRemoval | Item | Revision | Draft | Edit | StoredDocument | DocumentRemoval
+"""A row that is put, or a document or a content that is dropped.
 
 An item, a draft and a document take the place of those of the same key; a revision is never replaced or removed; an
 edit takes the place of the steps of its draft from its number on, which were undone before.

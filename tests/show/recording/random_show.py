@@ -58,6 +58,7 @@ from omote.show.objects.motion import LookAt, MakeGesture, SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
+from omote.show.objects.sounds import StoredSound
 from omote.show.objects.sources import CalibrateSource, Drive, RouteSource, Source, SourceIs, TuneSource
 from omote.show.objects.speech import PlaySound, Say, SayByVoice, StopSpeaking
 from omote.show.objects.stages import Drawing
@@ -175,8 +176,8 @@ class RandomShow:
             lambda: EnterCharacter(new(), who(), 1.0),
             lambda: LeaveCharacter(new(), who(), 1.0),
             lambda: Say(who(), new(), "Good evening everybody", seconds=number(0.5, 2), queue=pick((True, False))),
-            lambda: Say(who(), new(), "ding", sound=pick(("bell", "gong"))),
-            lambda: PlaySound(who(), new(), pick(("bell", "gong")), number(-0.5, 0.5)),
+            lambda: Say(who(), new(), "ding", sound=pick(("bell", "gong", "chime"))),
+            lambda: PlaySound(who(), new(), pick(("bell", "gong", "chime")), number(-0.5, 0.5)),
             lambda: SayByVoice(who(), new(), "Good evening"),
             lambda: StopSpeaking(who()),
             lambda: SetNote(new(), f"note {self.sent}"),
@@ -186,7 +187,7 @@ class RandomShow:
             lambda: CalibrateSource(new(), pick(TRACKERS), pick(("neutral", "range", "done", "reset"))),
             lambda: SetLeases(new(), pick((True, False))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
-            lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong"))),
+            lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong", "chime"))),
             lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
             lambda: KeepPass(new(), pick(names)),
             lambda: PlayClip(who(), new(), pick(("c1", "c2")), pick((None, 0.2)), loop=pick((True, None))),
@@ -194,7 +195,7 @@ class RandomShow:
             lambda: PlayClip(who(), new(), pick(("c1", "c2")), weights={"mouth": number(0, 1)}),
             lambda: StopClip(who()),
             lambda: EditClip(new(), pick(("c1", "c2")), blend_in=number(0, 0.5), speed=pick((0.5, 1.0))),
-            lambda: EditClip(new(), pick(("c1", "c2")), sound=pick(("bell", "gong", "")), sound_at=number(-0.5, 0.5)),
+            lambda: EditClip(new(), pick(("c1", "c2")), sound=pick(("bell", "chime", "")), sound_at=number(-0.5, 0.5)),
             lambda: DropClip(new(), "c2"),
             lambda: RestoreClip(new(), "c2"),
         ]  # fmt: skip
@@ -203,7 +204,7 @@ class RandomShow:
         """Something that a cue does beside moving parts."""
         line = CueAction("say", self.pick(("one", "two", "*")), "Good evening", delay=self.pick((0.0, 0.3)))
         if self.rng.random() < 0.2:
-            line = CueAction("say", "one", self.pick(("", "ding")), sound=self.pick(("bell", "gong")))
+            line = CueAction("say", "one", self.pick(("", "ding")), sound=self.pick(("bell", "gong", "chime")))
         return line if self.rng.random() < 0.7 else CueAction("osc", "127.0.0.1:9", "/cue/1/start")
 
     def cue_messages(self) -> list[Callable[[], ClientMessage]]:
@@ -249,6 +250,7 @@ class RandomShow:
             self.session.recast(self.cast)
         elif chance < 0.05:
             self.session.set_sounds(self.pick(({}, {"bell": 1.5}, {"bell": 1.5, "gong": 2.0})))
+            self.session.named_sounds.load(self.pick(({}, {"chime": StoredSound("0a", 1.0, "c", 9, ("gong",))})))
         elif chance < 0.1:
             self.session.set_channels("phone one", "one", {name: self.number(0, 1) for name in self.expressions[:3]},
                                       self.now)  # fmt: skip

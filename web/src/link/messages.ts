@@ -1141,6 +1141,33 @@ export type SetNote = { type: "set_note"; id: string; text: string };
 export type BeginShow = { type: "begin_show"; id: string; at?: number | null };
 
 /**
+ * A sound that the show file keeps: its name, its key and its seconds. `former`: names that it had before, by which
+ * clips and cues find it still.
+ */
+export type NamedSound = { name: string; sound: string; seconds: number; former: string[] };
+
+/**
+ * The sounds that the show file keeps, sorted by name: complete, to consoles after the welcome and with each
+ * change. One is sent to `/sounds?name=NAME`, and `GET /sounds/KEY` gives its bytes.
+ */
+export type Sounds = { type: "sounds"; sounds: NamedSound[] };
+
+/** Answers drop_sound: who needs the sound, clips and cues in words, and is silent now. */
+export type SoundDropped = { type: "sound_dropped"; name: string; needed_by: string[] };
+
+/** Gives a sound another name, which none has yet. Clips and cues that name it find it still. */
+export type RenameSound = { type: "rename_sound"; id: string; name: string; to: string };
+
+/**
+ * Takes a sound out of the show; `restore_sound` brings it back until the server restarts. Answered with
+ * `sound_dropped` too: clips and cues that need it are silent.
+ */
+export type DropSound = { type: "drop_sound"; id: string; name: string };
+
+/** Brings back the sound that was dropped last under a name. */
+export type RestoreSound = { type: "restore_sound"; id: string; name: string };
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
@@ -1902,6 +1929,9 @@ export type FromClient =
   | DeleteRecording
   | SetNote
   | BeginShow
+  | RenameSound
+  | DropSound
+  | RestoreSound
   | Source
   | Drive
   | LeaveSource
@@ -1936,6 +1966,8 @@ export type FromServer =
   | Notices
   | Progress
   | RecordingKept
+  | Sounds
+  | SoundDropped
   | SourceIs
   | Sources
   | SourceValues

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from omote.showfile.changes import (
     Change,
     Content,
+    ContentRemoval,
     DocumentRemoval,
     Documents,
     Draft,
@@ -91,7 +92,7 @@ class AuthoredState:
             case Edit():
                 steps = self.edits.setdefault((change.item, change.editor), [])
                 steps[change.number :] = [change]
-            case Content():
+            case Content() | ContentRemoval():
                 pass  # bytes are in the content store
             case _:
                 self._apply_to_documents(change)

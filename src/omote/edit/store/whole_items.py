@@ -13,6 +13,7 @@ from omote.edit.protocol.names import clean_label, clean_tags, free_label, new_n
 from omote.edit.protocol.wire import read_recipe
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, sources
+from omote.show.objects.documents import contents_of
 from omote.showfile.changes import (
     Change,
     Content,
@@ -91,7 +92,7 @@ def merge_show(cast: Cast, ours: Stored, theirs: Stored, contents: Mapping[str, 
         merged.labels.append(ours_now.label)
         labels[item.kind].append(ours_now.label)
         items.append(ours_now)
-    _add_documents(merged, ours, theirs)
+    _add_documents(merged, ours, theirs, contents)
     return merged
 
 
@@ -166,11 +167,13 @@ def _gained(stored: Stored, face: Item) -> set[str]:
     return set()
 
 
-def _add_documents(merged: Merged, ours: Stored, theirs: Stored) -> None:
+def _add_documents(merged: Merged, ours: Stored, theirs: Stored, contents: Mapping[str, bytes]) -> None:
     for kind, named in theirs.documents.items():
         there = ours.documents.get(kind, {})
         for name, body in named.items():
             if name not in there:
+                needed = [key for key in contents_of(kind, body) if key in contents]
+                merged.changes += [Content(key, contents[key]) for key in needed]
                 merged.changes.append(StoredDocument(kind, name, body))
                 merged.labels.append(f"{kind} {name}".strip())
             elif there[name] != body:

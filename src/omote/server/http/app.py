@@ -37,6 +37,7 @@ from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.links.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
+from omote.server.sounds.sound_store import SoundStore
 from omote.server.sounds.voice_routes import Voices
 from omote.server.workers.file_jobs import BuildTouchoscLayout, run_file_job
 from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT, KeepRequest, Outgoing, ServerMessage
@@ -103,7 +104,8 @@ class ShowServer:
         self.runs = RunRoutes(lambda: self.clock())
         self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver, self.runs)
         self._clips = ClipStore(session)
-        self.sounds = Sounds(session.set_sounds)
+        self.sound_store = SoundStore(session)
+        self.sounds = Sounds(session.set_sounds, self.sound_store.find, self.sound_store)
         self.outside = ""
         self._state: State | None = None
 
@@ -136,6 +138,7 @@ class ShowServer:
             self.session.list_documents(kind, sorted(self.editing.documents(kind)))
         self._cues.load(self.editing.documents, report)
         self._clips.load(self.editing.documents, report)
+        self.sound_store.load(self.editing.documents, self.editing.contents, report)
 
     def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
         """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
@@ -258,12 +261,13 @@ class ShowServer:
             self.links.broadcast(encode(unseen), now, [link for link in self.links if link.who in others])
 
     def _keep_cues(self) -> None:
-        """Writes what was edited of cues and clips since the last tick into the show file, each in one commit."""
+        """Writes what was edited of cues, clips and sounds since the last tick into the show file, each in a commit."""
         changes = self.session.cues.take_changes()
         if changes and self.editing is not None:
             self.editing.keep_documents(changes)
         if self.editing is not None:
             self._clips.keep(self.editing.keep_documents)
+            self.sound_store.keep(self.editing.keep_documents)
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected, once a second; those whose token has ended are not any more."""

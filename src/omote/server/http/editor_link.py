@@ -163,8 +163,14 @@ class EditorLinks:
         """The stored documents (JSON) of a kind by name."""
         return {} if self.authored_work is None else self.authored_work.documents(kind)
 
-    def keep_documents(self, changes: Sequence[StoredDocument | DocumentRemoval]) -> None:
-        """Commits documents beside the show; without a show file they are known until its end."""
+    @property
+    def contents(self) -> Mapping[str, bytes]:
+        """The bytes of all contents, by key."""
+        return {} if self.authored_work is None else self.authored_work.session.contents
+
+    def keep_documents(self, changes: Sequence[Change]) -> None:
+        """Commits documents, with the contents that they need, beside the show; without a show file they are known
+        until its end."""
         if self.authored_work is not None:
             self.authored_work.keep_documents(changes, self._report)
 

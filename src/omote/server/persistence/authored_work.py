@@ -36,15 +36,14 @@ class AuthoredWork:
         """The documents (JSON) of a kind (`show.objects`) by name."""
         return self.session.authored.state.documents.get(kind, {})
 
-    def keep_documents(
-        self, changes: Sequence[StoredDocument | DocumentRemoval], report: Callable[[str], None]
-    ) -> None:
-        """Commits documents together, beside the show.
+    def keep_documents(self, changes: Sequence[Change], report: Callable[[str], None]) -> None:
+        """Commits documents together, with the contents that they need, beside the show.
 
         changes: what is put, and what goes; report: told on the terminal where that cannot be kept.
         """
         self.session.authored.state.apply(changes)
-        kinds = ", ".join(sorted({change.kind for change in changes}))
+        documents = [change for change in changes if isinstance(change, StoredDocument | DocumentRemoval)]
+        kinds = ", ".join(sorted({change.kind for change in documents}))
 
         def report_outcome(outcome: CommitOutcome) -> None:
             if outcome.state == "refused":

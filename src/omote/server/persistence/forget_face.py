@@ -1,9 +1,9 @@
-"""Removes own faces for good from a show file that no show plays: nothing of them is left in its bytes, nor in the good
-copies beside it."""
+"""Removes own faces and sounds for good from a show file that no show plays: nothing of them is left in its bytes, nor
+in the good copies beside it."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,11 +11,12 @@ from pathlib import Path
 from omote.edit.store.whole_items import item_sources
 from omote.model.recipes.recipe import KEY
 from omote.server.persistence.offline_show import open_offline_show
-from omote.show.objects.documents import names_in
+from omote.show.objects.documents import contents_of, names_in, read_document
+from omote.show.objects.sounds import StoredSound
 from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
 from omote.showfile.changes import Item, Stored
 from omote.showfile.inspection import item_named
-from omote.showfile.recording_file import open_recording, recording_path
+from omote.showfile.recording_file import open_recording, recording_path, sound_key
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 
@@ -33,15 +34,15 @@ class Forgotten:
 
 
 def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -> Forgotten:
-    """Removes faces with revisions, drafts and contents, the last state where that plays them, and the good copies of
-    before; a good copy of what is left is made.
+    """Removes faces with revisions, drafts and contents, the last state where that plays them, sounds with their bytes,
+    and the good copies of before; a good copy of what is left is made.
 
     Parameters
     ----------
     path : Path
         The show file, which no show plays.
     names : sequence of str
-        Names or labels of own faces.
+        Names or labels of own faces, and names of sounds.
     copies : bool
         Whether damaged copies beside the file that hold them are removed too.
 
@@ -53,17 +54,19 @@ def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -
     Raises
     ------
     ShowFileError
-        On a name that no own face has, where others are made of them, and where damaged copies hold them and are to
-        stay; nothing is changed.
+        On a name that no own face and no sound has, where others are made of them, and where damaged copies hold them
+        and are to stay; nothing is changed.
     OSError, sqlite3.Error
         Where the disk fails; the same call again goes on.
     """
     with open_offline_show(path) as show:
         stored = show.stored()
         contents = show.contents()
-        items = list(dict.fromkeys(item_named(stored, name, "face") for name in names))
+        sounds = {name: _sound_named(stored, name) for name in names if name in _sounds_in(stored)}
+        items = list(dict.fromkeys(item_named(stored, name, "face") for name in names if name not in sounds))
         _refuse_dependents(stored, items)
-        keys = _own_keys(stored, items)
+        heard = {sound.content for sound in sounds.values()} - _contents_of_others(stored, sounds)
+        keys = _own_keys(stored, items) | heard
         damaged = [copy for copy in _damaged_copies(show.path) if _holds(copy, [contents[key] for key in keys])]
         if damaged and not copies:
             raise ShowFileError(
@@ -77,21 +80,40 @@ def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -
             if backup not in damaged:
                 refuse_foreign(backup, show.path)
             remove(backup)
-        notes = (*_forget_recorded(show.path, keys), *_notes(show, stored, items))
-        show.erase(_removals(items, sorted(keys), clear_state=_is_played(show, items)))
+        recorded = keys | {sound_key(sound.sound) for sound in sounds.values()}
+        notes = (*_forget_recorded(show.path, recorded), *_notes(show, stored, items))
+        show.erase(_removals(items, sounds, sorted(keys), clear_state=_is_played(show, items)))
         back_up(show)
-    return Forgotten(tuple(item.label for item in items), notes)
+    return Forgotten((*(item.label for item in items), *sounds), notes)
+
+
+def _sounds_in(stored: Stored) -> Mapping[str, bytes]:
+    return stored.documents.get(StoredSound.kind, {})
+
+
+def _sound_named(stored: Stored, name: str) -> StoredSound:
+    try:
+        return read_document(StoredSound, _sounds_in(stored)[name])
+    except ValueError as error:
+        raise ShowFileError(f"the sound {name} cannot be read, so nothing was removed: {error}.") from error
+
+
+def _contents_of_others(stored: Stored, sounds: Collection[str]) -> set[str]:
+    """The contents that documents need beside some sounds (by name)."""
+    rows = ((kind, *named) for kind, of_kind in stored.documents.items() for named in of_kind.items())
+    others = (row for row in rows if row[0] != StoredSound.kind or row[1] not in sounds)
+    return {key for kind, _, body in others for key in contents_of(kind, body)}
 
 
 def _forget_recorded(path: Path, keys: Collection[str]) -> Iterator[str]:
-    """Removes what was recorded while the cast had these contents (keys). path: of the show file."""
+    """Removes what was recorded while it needed these contents (keys). path: of the show file."""
     recording = recording_path(path)
     if not recording.exists():
         return
     with closing(open_recording(recording)) as recorded:
         seconds = recorded.forget(keys)
     if seconds:
-        yield f"{seconds / 60.0:.1f} minutes of the show's recording, in which the cast had it, went with it."
+        yield f"{seconds / 60.0:.1f} minutes of the show's recording, which needed it, went with it."
 
 
 def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
@@ -116,7 +138,7 @@ def _own_keys(stored: Stored, items: Sequence[Item]) -> set[str]:
 
 
 def _removals(
-    items: Sequence[Item], keys: Sequence[str], *, clear_state: bool
+    items: Sequence[Item], sounds: Collection[str], keys: Sequence[str], *, clear_state: bool
 ) -> Iterator[tuple[str, tuple[str | int, ...]]]:  # fmt: skip
     for item in items:
         yield "UPDATE item SET head = 0 WHERE id = ?", (item.id,)
@@ -124,6 +146,8 @@ def _removals(
             yield f"DELETE FROM {table} WHERE item = ?", (item.id,)
         yield "DELETE FROM item WHERE id = ?", (item.id,)
         yield "DELETE FROM journal_aside WHERE instr(snapshot, CAST(? AS BLOB)) > 0", (item.name,)
+    for name in sounds:
+        yield "DELETE FROM document WHERE kind = ? AND name = ?", (StoredSound.kind, name)
     for key in keys:
         yield "DELETE FROM content WHERE key = ?", (key,)
     if clear_state:

@@ -32,6 +32,7 @@ from omote.show.recording.entries import (
     Joined,
     Recast,
     Sent,
+    SnapshotTaken,
     SoundsKnown,
     Ticked,
     begins_piece,
@@ -84,6 +85,7 @@ class RecordingThread:
         self._report = report
         self._find_sound = find_sound
         self._sounds = set[str]()
+        self._sounds_called: Mapping[str, str] = {}
         self._work: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
         self._ticks: SimpleQueue[tuple[Sequence[AnyEntry], bytes]] = SimpleQueue()
         self._file: RecordingFile | None = None
@@ -246,9 +248,9 @@ class RecordingThread:
             for entry in entries
             if isinstance(entry, Sent) and isinstance(entry.message, MarkMoment)
         ]
+        there = self._hear_of_sounds(entries)
         for key in {key for entry in entries for key in sounds_of(entry)}:
             self._keep_sound(key)
-        there = {key for entry in entries if isinstance(entry, SoundsKnown) for key in entry.seconds}
         for key in there & {clip.sound for clip in self._clips}:  # which came after its clip
             self._keep_sound(key)
         data = encode_entries(name_clips(entries, self._keep_clip))
@@ -256,6 +258,17 @@ class RecordingThread:
         self._opened().add(
             self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks, curves=curves, calls=calls
         )
+
+    def _hear_of_sounds(self, entries: list[AnyEntry]) -> set[str]:
+        """Notes by what names sounds are known from now on; the keys and the names of those that have come."""
+        there = set[str]()
+        for entry in entries:
+            if isinstance(entry, SoundsKnown):
+                self._sounds_called = entry.called
+                there.update(entry.seconds, entry.called)
+            elif isinstance(entry, SnapshotTaken):
+                self._sounds_called = entry.sounds_called
+        return there
 
     def _keep_cast(self, cast: StoredCast, contents: list[tuple[str, bytes]], titled: Cast | PlayingCast) -> None:
         self._cast = (cast, contents)
@@ -277,6 +290,7 @@ class RecordingThread:
 
     def _keep_sound(self, sound: str) -> None:
         """Keeps a sound that the piece needs, once; one that is not there any more is not heard in a replay."""
+        sound = self._sounds_called.get(sound, sound)
         key = sound_key(sound)
         if key not in self._sounds:
             data = self._find_sound(sound)

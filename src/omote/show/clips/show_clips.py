@@ -53,16 +53,17 @@ class Pass:
 class ShowClips:
     """The clips of a show, by name.
 
-    scene, cast: those that the session has now; check_sound: raises ValueError for a sound that is not there;
-    list_names: tells consoles the names of a kind of documents; play: has a command played, as if somebody had sent
-    it; edited: called after each edit; lose: told, in a sentence, what there is nobody to refuse it to.
+    scene, cast: those that the session has now; check_sound: gives the key of a sound, by its name too, ValueError
+    for one that is not there; list_names: tells consoles the names of a kind of documents; play: has a command
+    played, as if somebody had sent it; edited: called after each edit; lose: told, in a sentence, what there is
+    nobody to refuse it to.
     """
 
     def __init__(
         self,
         scene: Callable[[], Scene],
         cast: Callable[[], Playable],
-        check_sound: Callable[[str], object],
+        check_sound: Callable[[str], str],
         list_names: Callable[[str, list[str]], list[Outgoing]],
         play: Callable[[ClientMessage], object],
         edited: Callable[[], None],
@@ -208,15 +209,15 @@ class ShowClips:
         """Has the sound heard to which a pass is played: a new one a moment later, so that its beginning is heard; that
         of the clip where the clip has it, if it is there. offset: what the time of the clip is."""
         if sound:
-            self._check_sound(sound)
-            self._play(PlaySound(character, sound, sound, SOUND_LEAD_SECONDS))
+            key = self._check_sound(sound)
+            self._play(PlaySound(character, key, key, SOUND_LEAD_SECONDS))
         elif clip is not None and clip.sound:
             try:
-                self._check_sound(clip.sound)
+                key = self._check_sound(clip.sound)
             except ValueError as error:
                 self._lose(f"a pass of {character} is recorded without its sound: {error}.")
             else:
-                self._play(PlaySound(character, clip.sound, clip.sound, clip.sound_at - offset))
+                self._play(PlaySound(character, key, key, clip.sound_at - offset))
 
     def end_pass(self, message: wire.KeepPass) -> Sequence[Outgoing]:
         """Ends a pass. message: says of whom, and whether it is kept."""

@@ -41,6 +41,10 @@ class Document(msgspec.Struct, frozen=True):
         """The faces, expressions and characters that the document names."""
         return ()
 
+    def contents(self) -> Iterable[str]:
+        """The keys of the contents (bytes) of the show file that the document needs."""
+        return ()
+
     def encode(self) -> bytes:
         """The document as the file keeps it (JSON)."""
         return msgspec.json.encode(self)
@@ -79,6 +83,18 @@ def names_in(kind: str, body: bytes, names: Iterable[str]) -> list[str]:
     except ValueError:
         held = None
     return [name for name in names if (name.encode() in body if held is None else name in held)]
+
+
+def contents_of(kind: str, body: bytes) -> Iterable[str]:
+    """The keys of the contents that a stored document needs; none of one that this Omote does not know or cannot read.
+
+    kind: the key of its kind; body: its JSON.
+    """
+    declared = declared_kinds().get(kind)
+    try:
+        return () if declared is None else tuple(read_document(declared, body).contents())
+    except ValueError:
+        return ()
 
 
 # --- the messages of a kind that pages keep ---

@@ -107,13 +107,14 @@ class Routed(Entry, frozen=True):
 
 
 class SoundsKnown(Entry, frozen=True):
-    """The sounds that there are from now on, with their seconds."""
+    """The sounds that there are from now on, with their seconds; called: keys by name, by which clips name them."""
 
     seconds: dict[str, float]
+    called: dict[str, str] = {}
 
     def redo(self, session: ShowSession) -> None:
         """Notes the sounds. session: the show."""
-        session.sounds.set(self.seconds)
+        session.sounds.set(self.seconds, self.called)
 
 
 class Recast(Entry, frozen=True):
@@ -172,11 +173,12 @@ class Ticked(Entry, frozen=True):
 class SnapshotTaken(Entry, frozen=True):
     """The session as it is after a tick: a replay can begin here.
 
-    session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the first
-    tick; number, epoch, revision: of the last state; digest: of the cast; members: by client; sources:
-    those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book, clips: the
-    cues and the clips (as of `ClipsEdited`), where a piece of the recording begins here; else they are as the last
-    entry has them. runs: clips that play but are not there so any more, by character and number of the run.
+    session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the
+    first tick; number, epoch, revision: of the last state; digest: of the cast; members: by client; sources: those
+    that are open; sounds: seconds by key; sounds_called: keys by name; eyes: offsets by character; playing: of the
+    cues. book, clips: the cues and the clips (as of `ClipsEdited`), where a piece of the recording begins here;
+    else they are as the last entry has them. runs: clips that play but are not there so any more, by character and
+    number of the run.
     """
 
     session: SessionSnapshot
@@ -193,6 +195,7 @@ class SnapshotTaken(Entry, frozen=True):
     book: RecordedCues | None = None
     clips: dict[str, Any] | None = None
     runs: dict[str, dict[int, Any]] = {}
+    sounds_called: dict[str, str] = {}
 
 
 AnyEntry = (

@@ -88,9 +88,9 @@ class Recorder:
         """Notes that a source has taken over. route: what it plays."""
         self._note(Routed(source, route))
 
-    def note_sounds(self, seconds: Mapping[str, float]) -> None:
-        """Notes the sounds that there are, by their seconds."""
-        self._note(SoundsKnown(dict(seconds)))
+    def note_sounds(self, seconds: Mapping[str, float], called: Mapping[str, str]) -> None:
+        """Notes the sounds that there are, by their seconds. called: keys by name."""
+        self._note(SoundsKnown(dict(seconds), dict(called)))
 
     def note_recast(self, digest: str) -> None:
         """Notes that another cast plays. digest: of the cast."""
@@ -151,6 +151,7 @@ def snapshot_of(session: ShowSession, members: Mapping[str, Client], *, with_cue
         members=dict(members),
         sources=session.sources.playing(),
         sounds=session.sounds.seconds(),
+        sounds_called=session.sounds.called(),
         eyes=session.eye_offsets,
         playing=session.cues.playing(),
         book=session.cues.shown() if with_cues else None,

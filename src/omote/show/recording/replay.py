@@ -64,7 +64,7 @@ class Replay:
             raise ReplayError(f"the snapshot cannot be played: {error}") from error
         self.session.resume(kept.now, kept.number, kept.eyes)
         self.session.sources.replay(kept.sources)
-        self.session.sounds.set(kept.sounds)
+        self.session.sounds.set(kept.sounds, kept.sounds_called)
         self.session.cues.replay(begin.book, kept.playing)
         for name, runs in kept.runs.items():
             self.session.scene[name].resume_clips({number: self._clip(clip) for number, clip in runs.items()})

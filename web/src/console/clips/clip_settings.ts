@@ -2,7 +2,8 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { base, flow } from "../../ui/theme";
+import { live } from "lit/directives/live.js";
+import { base, entry, flow } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { ClipElement, clipControls, numberIn } from "./clip_element";
 import type { ClipTopic } from "./clip_store";
@@ -16,6 +17,15 @@ const style = css`
   }
   input {
     width: 62px;
+  }
+  select {
+    ${entry}
+    max-width: 180px;
+    min-height: var(--finger, 30px);
+    font-size: 14px;
+  }
+  .called {
+    width: 120px;
   }
   .file {
     position: relative;
@@ -97,14 +107,18 @@ export class ClipSettings extends ClipElement {
   /** What is heard with it, to play along with. */
   #sound() {
     const { clips } = this;
-    const { outline, sound, locked } = clips;
+    const { outline, sound, sounds, namedSound: named, locked } = clips;
     const barred = locked !== "";
-    return html`<label class="file" title=${locked || "A sound (WAV, MP3, Ogg) that is heard with it, from the place that is marked on: passes are recorded along with it"}>${sound === "" ? "Sound …" : "Other sound …"}<input type="file" accept="audio/*" aria-label="Sound of the clip" ?disabled=${barred} @change=${this.#bring}></label>
+    const chosen = named?.name ?? sound;
+    const known = named !== null || sound === "";
+    return html`<label title=${locked || "The sound that is heard with it, from the place that is marked on: passes are recorded along with it"}>♪<select aria-label="Sound of the clip" ?disabled=${barred} .value=${live(chosen)} @change=${(event: Event) => clips.setSound(textOf(event), clips.cursor)}>
+        <option value="">no sound</option>${known ? nothing : html`<option value=${sound}>${sound.slice(0, 12)} (not kept)</option>`}${sounds.map(({ name }) => html`<option value=${name} ?selected=${name === chosen}>${name}</option>`)}</select></label>
+      <label class="file" title=${locked || "Adds a WAV, MP3 or Ogg to the sounds of the show; or drop it on this page"}>Add a sound …<input type="file" accept="audio/*" aria-label="Add a sound" ?disabled=${barred} @change=${this.#bring}></label>
       ${
         sound === ""
           ? nothing
-          : html`${outline === null ? html`<span>♪ from the first pass on</span>` : html`<label title="Where the sound begins, seconds of the lanes">♪ at<input inputmode="decimal" aria-label="The sound begins at" ?disabled=${barred} .value=${shown(outline.sound_at)} @change=${(event: Event) => this.#set("sound_at", event)}></label>`}
-      <button aria-label="No sound" title="No sound" ?disabled=${barred} @click=${() => clips.setSound("")}>✕</button>`
+          : html`${outline === null ? html`<span>from the first pass on</span>` : html`<label title="Where the sound begins, seconds of the lanes">at<input inputmode="decimal" aria-label="The sound begins at" ?disabled=${barred} .value=${shown(outline.sound_at)} @change=${(event: Event) => this.#set("sound_at", event)}></label>`}
+      ${named === null ? nothing : html`<label title="Its name in the show; clips and cues find it by the old one too">Name<input class="called" aria-label="Name of the sound" maxlength="60" autocomplete="off" ?disabled=${barred} .value=${named.name} @change=${(event: Event) => clips.renameSound(textOf(event).trim())}></label><button title="Deletes the sound from the show; Undo brings it back" ?disabled=${barred} @click=${() => clips.dropSound()}>Delete sound</button>`}`
       }`;
   }
 

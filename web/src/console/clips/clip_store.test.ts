@@ -53,7 +53,9 @@ beforeEach(async () => {
     "page",
   );
   const request = async (address: string) => {
-    if (address === "/sounds") return { ok: true, json: async () => ({ sound: "key", seconds: 4 }) } as Response;
+    if (address === "/sounds?name=monologue")
+      return { ok: true, json: async () => ({ sound: "key", name: "monologue", seconds: 4 }) } as Response;
+    if (address.startsWith("/sounds")) return { ok: false, text: async () => "send WAV, MP3 or Ogg." } as Response;
     const found = stored[decodeURIComponent(address.replace("/clip_outlines/", ""))];
     return { ok: true, status: found ? 200 : 204, json: async () => found } as unknown as Response;
   };
@@ -166,13 +168,33 @@ describe("the store of clips", () => {
 
   it("has a sound heard with the clip, and with a new one from its first pass on", async () => {
     clips.seek(2);
-    await clips.bringSound(new Blob());
-    expect(last()).toMatchObject({ type: "edit_clip", sound: "key", sound_at: 2 });
+    await clips.bringSound(new File([], "monologue.wav"));
+    expect(last()).toMatchObject({ type: "edit_clip", sound: "monologue", sound_at: 2 });
     clips.choose("new");
-    await clips.bringSound(new Blob());
+    await clips.bringSound(new File([], "monologue.wav"));
     clips.setCountIn(false);
     clips.record();
-    expect(last()).toMatchObject({ type: "record_clip", name: "new", sound: "key", start: null });
+    expect(last()).toMatchObject({ type: "record_clip", name: "new", sound: "monologue", start: null });
+    await clips.bringSound(new File([], "story.txt"));
+    expect(show.notice).toBe("story.txt was not added: send WAV, MP3 or Ogg.");
+  });
+
+  it("knows the sound of a clip by its name, by one of before, and by its key", () => {
+    show.receive({ type: "sounds", sounds: [{ name: "line 1", sound: "ab", seconds: 4, former: ["first"] }] });
+    clips.choose("new");
+    for (const called of ["line 1", "first", "ab"]) {
+      clips.setSound(called);
+      expect(clips.namedSound?.name).toBe("line 1");
+    }
+    clips.setSound("gone");
+    expect(clips.namedSound).toBeNull();
+    clips.setSound("ab");
+    clips.renameSound("Opening");
+    expect(last()).toMatchObject({ type: "rename_sound", name: "line 1", to: "Opening" });
+    clips.dropSound();
+    expect(last()).toMatchObject({ type: "drop_sound", name: "line 1" });
+    show.receive({ type: "sound_dropped", name: "line 1", needed_by: ["the clip new"] });
+    expect(show.notice).toContain("needed by the clip new");
   });
 
   it("says why a clip plays without its sound, once", () => {

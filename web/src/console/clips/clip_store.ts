@@ -11,6 +11,7 @@ import type {
   EditClip,
   EditLane,
   LaneOutline,
+  NamedSound,
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
@@ -78,6 +79,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
   ) {
     super();
     show.hear("clips", () => this.#receiveNames());
+    show.hear("sounds", () => this.tell("clips"));
+    show.hear("sound_dropped", ({ name, needed_by }) => {
+      if (needed_by.length > 0)
+        this.show.say(
+          `The sound ${name} is deleted, and needed by ${needed_by.join(", ")}: silent now. Undo brings it back.`,
+        );
+    });
     show.hear("clip_work", (work) => this.#receiveWork(work));
     show.hear("state", () => {
       this.#endSpan();
@@ -395,22 +403,45 @@ export class ClipStore extends TopicStore<ClipTopic> {
     });
   }
 
-  /** The key of the sound that is heard with the clip; "" for none. */
+  /** What the clip calls the sound that is heard with it: its name, or the key of one without; "" for none. */
   get sound(): string {
     return this.outline === null ? this.firstSound : this.outline.sound;
   }
 
-  /** Sends a file with a sound, which is heard with the clip from the place that is marked on; a new clip from its first pass on. */
-  async bringSound(file: Blob): Promise<void> {
+  /** The sounds that the show file keeps. */
+  get sounds(): readonly NamedSound[] {
+    return this.show.newest("sounds")?.sounds ?? [];
+  }
+
+  /** The sound of the clip, where the show file keeps it: by its name of now or of before, or by its key. */
+  get namedSound(): NamedSound | null {
+    const { sound, sounds } = this;
+    const calls: ((each: NamedSound) => boolean)[] = [
+      ({ name }) => name === sound,
+      ({ former }) => (former ?? []).includes(sound),
+      (each) => each.sound === sound,
+    ];
+    return calls.map((call) => sounds.find(call)).find((each) => each !== undefined) ?? null;
+  }
+
+  /**
+   * Adds a file to the sounds of the show, under its name; it is heard with the clip from the place that is marked on,
+   * with a new clip from its first pass on.
+   */
+  async bringSound(file: File): Promise<void> {
     if (!this.#may(this.locked)) return;
     const { name, cursor } = this;
     try {
-      const answer = await this.request("/sounds", { method: "POST", body: file });
-      if (!answer.ok) throw new Error(await answer.text());
-      const { sound, seconds } = (await answer.json()) as { sound: string; seconds: number };
-      if (name !== this.name) throw new Error(`Another clip is shown by now: ${name} has no other sound.`);
-      this.setSound(sound, cursor);
-      this.show.say(`${name} has a sound of ${clipTime(seconds)}; passes are recorded along with it.`, "done");
+      const called = freeLaneName(this.sounds, file.name.replace(/\.[^.]*$/, "").slice(0, 50) || "sound");
+      const answer = await this.request(`/sounds?name=${encodeURIComponent(called)}`, { method: "POST", body: file });
+      if (!answer.ok) throw new Error(`${file.name} was not added: ${await answer.text()}`);
+      const added = (await answer.json()) as { name: string; seconds: number };
+      const told = `The sound ${added.name} (${clipTime(added.seconds)}) is in the show`;
+      if (name === "" || name !== this.name) this.show.say(`${told}.`, "done");
+      else {
+        this.setSound(added.name, cursor);
+        this.show.say(`${told}; ${name} is recorded along with it.`, "done");
+      }
     } catch (error) {
       this.show.say(
         error instanceof TypeError
@@ -418,6 +449,28 @@ export class ClipStore extends TopicStore<ClipTopic> {
           : `${(error as Error).message}`,
       );
     }
+  }
+
+  /** Gives the sound of the clip another name in the show. */
+  renameSound(to: string): void {
+    const name = this.namedSound?.name ?? "";
+    if (name === "" || to === "" || to === name || !this.#may(this.locked)) return;
+    this.show.act(`The sound ${name} is called ${to}; clips and cues find it still.`, {
+      what: `sound ${to}`,
+      undo: [{ type: "rename_sound", name: to, to: name }],
+      redo: [{ type: "rename_sound", name, to }],
+    });
+  }
+
+  /** Takes the sound of the clip out of the show; who needs it is said. */
+  dropSound(): void {
+    const name = this.namedSound?.name ?? "";
+    if (name === "" || !this.#may(this.locked)) return;
+    this.show.act(`The sound ${name} is deleted.`, {
+      what: `deleted sound ${name}`,
+      undo: [{ type: "restore_sound", name }],
+      redo: [{ type: "drop_sound", name }],
+    });
   }
 
   /** Has another sound heard with the clip, from a place on; "": none. */

@@ -12,16 +12,19 @@ import { clipTime, partsLabel } from "./clip_passes";
 import type { ClipTopic } from "./clip_store";
 import { clipTimelineStyle } from "./clip_timeline_style";
 import { columnLabel, curvePath, rulerMarks, type Span, spanBetween, viewSpan } from "./timeline";
+import { fetchWaveform, type Waveform, wavePath } from "./waveform";
 
 const COLOURS = ["#7fd1ff", "#ffd27f", "#b7f09a"];
+/** Where the sound of a new clip begins: a moment after its first pass, seconds. */
+const FIRST_AT = 0.4;
 const NEAREST = 40;
 /** Pixels that a pointer moves before it drags. */
 const SLACK = 4;
 /** Pixels beside the end that the place now is kept from. */
 const MARGIN = 40;
 
-/** What is dragged: a lane to another time, or an end of the clip. */
-type Dragged = { readonly of: number | "start" | "stop"; readonly seconds: number };
+/** What is dragged: a lane or the sound to another time, or an end of the clip. */
+type Dragged = { readonly of: number | "start" | "stop" | "sound_at"; readonly seconds: number };
 
 @customElement("omote-clip-timeline")
 export class ClipTimeline extends AnimatedClipElement {
@@ -34,6 +37,9 @@ export class ClipTimeline extends AnimatedClipElement {
   @state() private selecting: Span | null = null;
   @query(".scroll") private pane!: HTMLElement;
   @query(".playhead") private head!: HTMLElement;
+  /** The sound of the clip as it is drawn, once it is decoded. */
+  @state() private wave: Waveform | null = null;
+  #fetched = "";
   #shown: Span = { from: 0, to: 10 };
   #pixels = 1;
 
@@ -64,6 +70,7 @@ export class ClipTimeline extends AnimatedClipElement {
     const length = Math.floor((this.#shown.to - this.#shown.from) * this.#pixels);
     return html`<div class="scroll"><div class="content" style="--length: ${length}px; --view: ${this.wide}px">
       ${this.#ruler(outline)}
+      ${this.#sound()}
       ${repeat(
         lanes,
         (_, place) => `${name}/${place}`,
@@ -107,6 +114,32 @@ export class ClipTimeline extends AnimatedClipElement {
     const { dragged } = this;
     const by = (of: "start" | "stop"): number => (dragged?.of === of ? dragged.seconds : 0);
     return { start: Math.min(start + by("start"), stop - 0.05), stop: Math.max(stop + by("stop"), start + 0.05) };
+  }
+
+  /** The sound that the clip is played and recorded along with. */
+  #sound() {
+    const { clips } = this;
+    const { namedSound: named, outline } = clips;
+    const key = named?.sound ?? clips.sound;
+    if (key === "" || clips.name === "") return nothing;
+    if (this.#fetched !== key) void this.#fetch(key);
+    const wave = this.wave?.key === key ? this.wave : null;
+    const at = outline?.sound_at ?? FIRST_AT;
+    const moved = this.dragged?.of === "sound_at" ? this.dragged.seconds : 0;
+    const width = Math.max(2, (named?.seconds ?? wave?.seconds ?? 1) * this.#pixels);
+    const label = `${named?.name ?? "a sound that is not kept"}${moved === 0 ? "" : ` · ${moved > 0 ? "+" : ""}${moved.toFixed(2)} s`}`;
+    return html`<div class="row" role="group" aria-label="Sound"><div class="head">♪ ${named?.name ?? ""}</div>
+      <div class="body heard"><div class="block" style="left: ${this.#x(at + moved)}px; width: ${width}px">
+        <div class="strip" role="slider" tabindex=${outline === null ? -1 : 0} aria-label="The sound begins" aria-valuenow=${at} aria-valuetext=${clipTime(at)}
+          title="It begins: drag, or arrow keys" @pointerdown=${(event: PointerEvent) => outline !== null && this.#drag(event, "sound_at")} @keydown=${(event: KeyboardEvent) => this.#nudge(event, "sound_at")}>${label}</div>
+        <svg viewBox="0 0 1000 100" preserveAspectRatio="none" aria-hidden="true">${wave === null ? nothing : svg`<path class="wave" d=${wavePath(wave.peaks)} />`}</svg>
+      </div></div></div>`;
+  }
+
+  async #fetch(key: string): Promise<void> {
+    this.#fetched = key;
+    const wave = await fetchWaveform(key);
+    if (this.#fetched === key) this.wave = wave;
   }
 
   #lane(lane: LaneOutline, place: number) {
@@ -252,12 +285,11 @@ export class ClipTimeline extends AnimatedClipElement {
     else if (outline !== null && seconds !== 0) this.#trimTo(of, outline[of] + seconds);
   }
 
-  #trimTo(of: "start" | "stop", seconds: number): void {
-    const at = Math.round(seconds * 1000) / 1000;
-    this.clips.editClip(of === "start" ? { start: at } : { stop: at });
+  #trimTo(of: "start" | "stop" | "sound_at", seconds: number): void {
+    this.clips.editClip({ [of]: Math.round(seconds * 1000) / 1000 });
   }
 
-  #nudge(event: KeyboardEvent, of: "start" | "stop"): void {
+  #nudge(event: KeyboardEvent, of: "start" | "stop" | "sound_at"): void {
     const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     const { outline } = this.clips;
     if (way === undefined || outline === null || event.altKey || event.ctrlKey || event.metaKey) return;

@@ -208,6 +208,12 @@ export const clipTimelineStyle = css`
     stroke-width: 1.5;
     vector-effect: non-scaling-stroke;
   }
+  .body.heard {
+    min-height: 64px;
+  }
+  .block path.wave {
+    fill: #7fa8c9;
+  }
   .block .again {
     position: absolute;
     top: var(--strip, 20px);

@@ -38,6 +38,8 @@ export class ClipsPage extends ClipElement {
     const everywhere = (event: KeyboardEvent): boolean => isPanic(event) && this.#panic(event.repeat);
     whileShown(this, () => listenToKeys({ everywhere, page: this.#key }));
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
+    hearWhileShown<DragEvent>(this, window, ["dragover"], (event) => event.preventDefault());
+    hearWhileShown<DragEvent>(this, window, ["drop"], this.#dropFile);
   }
 
   override render() {
@@ -76,6 +78,13 @@ export class ClipsPage extends ClipElement {
       ? nothing
       : html`<div class="count" role="alert">${counting}<small>Esc or Discard: not now</small></div>`;
   }
+
+  /** A sound that is dropped anywhere on the page. */
+  readonly #dropFile = (event: DragEvent): void => {
+    event.preventDefault();
+    const [file] = event.dataTransfer?.files ?? [];
+    if (file !== undefined) void this.clips.bringSound(file);
+  };
 
   #showHelp(on: boolean): void {
     this.help = on;

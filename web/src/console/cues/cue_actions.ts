@@ -94,7 +94,7 @@ export class CueActions extends CueElement {
     const [to, what] = WORDS[action.does];
     const title = KINDS.find(([does]) => does === action.does)?.[1] ?? action.does;
     const field = (name: "to" | "what" | "voice" | "sound", label: string, look = "") =>
-      html`<omote-cue-field class=${look} label=${label} .value=${action[name]} .offered=${name === "to" ? this.#offered(action.does) : []}
+      html`<omote-cue-field class=${look} label=${label} .value=${action[name]} .offered=${name === "to" ? this.#offered(action.does) : name === "sound" ? this.#sounds : []}
         .save=${(text: string, failed: Failed) => put({ [name]: text.trim() }, failed)}></omote-cue-field>`;
     return html`<div class="action" data-action=${place}>
       <b>${title}</b>
@@ -105,7 +105,7 @@ export class CueActions extends CueElement {
         .save=${(text: string, failed: Failed) => put({ delay: secondsIn(text) }, failed)}></omote-cue-field>
       ${
         action.does === "say"
-          ? html`${field("voice", "Voice; none: lips alone", "wide")}${field("sound", "Or a sound, by its key", "wide")}`
+          ? html`${field("voice", "Voice; none: lips alone", "wide")}${field("sound", "Or a sound of the show", "wide")}`
           : nothing
       }
     </div>`;
@@ -141,6 +141,11 @@ export class CueActions extends CueElement {
 
   get #actions(): readonly CueAction[] {
     return this.cue?.actions ?? [];
+  }
+
+  /** The names of the sounds that the show file keeps. */
+  get #sounds(): readonly string[] {
+    return (this.cues.show.newest("sounds")?.sounds ?? []).map(({ name }) => name);
   }
 
   /** Whom or what an action of a kind can be for. */
