@@ -25,10 +25,21 @@ let waiting: (() => void)[];
 let show: ConsoleStore;
 let clips: ClipStore;
 
-const tick = (at: number, playing: object[] = []): void => {
+const tick = (at: number, playing: object[] = [], channels: Record<string, number> = {}): void => {
   number += 1;
   time = at;
-  const one = { panics: 0, label: "Kaori", face_call: null, expression_call: null, home_face: "", clips: playing };
+  const one = {
+    channels,
+    head: [0, 0, 0],
+    gaze: [0, 0],
+    held: null,
+    panics: 0,
+    label: "Kaori",
+    face_call: null,
+    expression_call: null,
+    home_face: "",
+    clips: playing,
+  };
   show.receive({ type: "state", epoch: 1, number, time, characters: { one, two: one } } as unknown as State);
 };
 const work = (edits: number, ...passes: Partial<ClipPass>[]): void =>
@@ -204,6 +215,26 @@ describe("the store of clips", () => {
     show.say(null);
     tick(102, playing);
     expect(show.notice).toBeNull();
+  });
+
+  it("says once what hands hold above a clip that plays, and lets go of it", () => {
+    const playing = [{ name: "line", elapsed: 1, seconds: 7, share: 1 }];
+    tick(101, playing, { jawOpen: 1.5, browInnerUp: 0.4 }); // the clip has lanes of the mouth alone
+    expect(show.notice).toBe("Hands hold jawOpen of Kaori, above what the clip plays there.");
+    show.say(null);
+    tick(102, playing, { jawOpen: 1.5 });
+    expect(show.notice).toBeNull();
+    clips.record();
+    expect([show.notice, clips.counting]).toEqual([null, 3]); // the mouth is armed: its hand is what is recorded
+    clips.discard();
+    clips.arm("mouth");
+    clips.record();
+    expect(show.notice).toContain("Hands hold jawOpen");
+    const [offer] = show.offers;
+    if (offer !== undefined && "act" in offer) offer.act();
+    expect(last()).toMatchObject({ type: "set_channel", character: "one", name: "jawOpen", value: 0 });
+    show.undo();
+    expect(last()).toMatchObject({ type: "set_channel", name: "jawOpen", value: 1.5 });
   });
 
   it("does nothing that its role may not do, and says why", () => {

@@ -15,8 +15,9 @@ import type {
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
-import type { Change } from "../store/undo_history";
+import { type Change, clearStep } from "../store/undo_history";
 import { clipTime, partsLabel, passesOf, positionOf } from "./clip_passes";
+import { type Held, heldOf } from "./held_parts";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
 export type Part = (typeof LAYER_PARTS)[number];
@@ -62,6 +63,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** The sound that a new clip has from its first pass on; "" for none. */
   firstSound = "";
   #silent = "";
+  /** What hands held above the clip when that was said last. */
+  #held = "";
   #chosen = "";
   #again: SpanAgain | null = null;
   #work: ClipWork = NO_WORK;
@@ -90,6 +93,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     show.hear("state", () => {
       this.#endSpan();
       this.#hearSilence();
+      this.#hearHands();
     });
     show.listen("link", () => this.#relink());
     for (const topic of ["notice", "characters", "undo"] as const) show.listen(topic, () => this.tell(topic));
@@ -255,6 +259,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     else if (this.#mayRecord() && this.armed.size === 0)
       this.show.say("No part is armed: press 1 to 6, or touch what is to be recorded.");
     else if (this.#mayRecord()) this.#countIn(() => this.#begin());
+    if (this.counting !== null) this.#sayHeld(this.heldOver(this.armed));
   }
 
   /** Records a span of the chosen lane again, from a little before it. */
@@ -321,6 +326,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
 
   #send(parts: readonly Part[], lane: string, start: number | null): void {
     this.#ending = null;
+    this.#held = "";
     this.show.say(null);
     const asked = { type: "record_clip", character: this.character, name: this.name, lane, start } as const;
     const refused = ({ reason }: { reason: string }): void => {
@@ -338,6 +344,45 @@ export class ClipStore extends TopicStore<ClipTopic> {
       [this.#ending, this.#again] = [how, null];
       this.show.ask({ type: "keep_pass", character: pass.character, keep: how === "keep" });
     }
+  }
+
+  /** What hands hold of the parts that the clip plays, and so hide of it; `but`: parts that are recorded. */
+  heldOver(but: Iterable<Part> = []): readonly Held[] {
+    const state = this.show.state?.characters[this.character];
+    const recorded = new Set(but);
+    const heard = this.lanes.filter(({ muted }) => !muted).flatMap(({ parts }) => parts);
+    const parts = heard.filter((part) => !recorded.has(part));
+    return state === undefined ? [] : heldOf(state, parts, this.show.expressions);
+  }
+
+  /** Lets go of what hands hold above the clip. */
+  release(held: readonly Held[]): void {
+    if (!this.#may(this.unheard)) return;
+    const { character } = this;
+    const channels = held.filter(({ name }) => name !== "head" && name !== "gaze");
+    if (held.some(({ name }) => name === "head"))
+      this.show.put(`${character}/head`, { type: "set_head", character, yaw: 0, pitch: 0, roll: 0 });
+    if (held.some(({ name }) => name === "gaze"))
+      this.show.put(`${character}/gaze`, { type: "set_gaze", character, yaw: 0, pitch: 0 });
+    const step = clearStep(channels.map(({ name, weight }) => [character, name, weight]));
+    if (channels.length > 0) this.show.act(`Released: ${held.map(({ name }) => name).join(", ")}.`, step);
+    else this.show.say(`Released: ${held.map(({ name }) => name).join(", ")}.`, "done");
+  }
+
+  /** Says what hands hold above a clip that plays, once of the same. */
+  #hearHands(): void {
+    const held = this.playing === null ? [] : this.heldOver(this.pass?.parts);
+    const names = held.map(({ name }) => name).join();
+    if (names !== this.#held && held.length > 0) this.#sayHeld(held);
+    this.#held = names;
+  }
+
+  #sayHeld(held: readonly Held[]): void {
+    if (held.length === 0) return;
+    const names = held.map(({ name }) => name);
+    const what = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
+    const says = `Hands hold ${what} of ${this.labelOf(this.character)}, above what the clip plays there.`;
+    this.show.say(says, "attention", [{ label: "Release", act: () => this.release(held) }]);
   }
 
   /** Says why the sound of a clip that plays is not heard. */
