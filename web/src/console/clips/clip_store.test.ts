@@ -80,6 +80,8 @@ beforeEach(async () => {
 describe("the store of clips", () => {
   it("shows the first clip from its start, and reads it again after each edit", async () => {
     expect([clips.name, clips.cursor, clips.lanes.length]).toEqual(["line", 0.5, 2]);
+    const pass = { character: "one", name: "line", lane: "head", parts: ["head" as const], began: 100, start: 0 };
+    work(1, pass);
     stored.line = outline("mouth", "brows", "head");
     work(2);
     await settle();
@@ -124,6 +126,7 @@ describe("the store of clips", () => {
     tick(102);
     expect(clips.position).toBe(2.5);
     clips.togglePlay();
+    expect(kinds()).toEqual(["copy_clip", "drop_clip", "keep_pass"]);
     expect(last()).toMatchObject({ type: "keep_pass", character: "one", keep: true });
     work(2);
     expect(show.notice).toContain("Kept in line: mouth, lane mouth 2, is a lane now");
@@ -143,17 +146,55 @@ describe("the store of clips", () => {
     tick(103.9);
     expect(last()).toMatchObject({ type: "record_clip" });
     tick(104.2);
-    expect(kinds().slice(1)).toEqual(["keep_pass", "copy_clip", "drop_clip", "replace_span"]);
+    expect(kinds().slice(1)).toEqual(["copy_clip", "drop_clip", "keep_pass", "replace_span"]);
     expect(last()).toMatchObject({ lane: "1", by: "again", start: 3, stop: 5 });
+    work(2);
+    expect(show.notice).toBe("Recorded again from 0:03.0 to 0:05.0.");
   });
 
-  it("takes back what no message takes back by the clip as it was", () => {
+  it("takes back what no message takes back by the clip as it was, and does it again by the clip as it is", () => {
     clips.dropLane(1);
     expect(kinds()).toEqual(["copy_clip", "drop_clip", "drop_lane"]);
+    const [{ to: before }] = sent as unknown as [{ to: string }];
     sent = [];
     show.undo();
-    expect(kinds()).toEqual(["drop_clip", "restore_clip", "rename_clip"]);
-    expect(last()).toMatchObject({ to: "line" });
+    expect(kinds()).toEqual(["copy_clip", "drop_clip", "drop_clip", "restore_clip", "rename_clip"]);
+    expect(last()).toMatchObject({ name: before, to: "line" });
+    const [{ to: after }] = sent as unknown as [{ to: string }];
+    sent = [];
+    show.redo();
+    expect(kinds()).toEqual(["copy_clip", "drop_clip", "drop_clip", "restore_clip", "rename_clip"]);
+    expect(last()).toMatchObject({ name: after, to: "line" });
+  });
+
+  it("takes nothing back that a server of before has laid aside", () => {
+    clips.dropLane(1);
+    clips.shift(0, 0.1);
+    const state = show.state as State;
+    show.receive({ ...state, epoch: 2, number: 1 });
+    expect(show.history.steps.undo.map(({ what }) => what)).toEqual(["Lane 1 0.1 s later"]);
+  });
+
+  it("drops a clip again that a pass has made", () => {
+    clips.choose("new");
+    work(1, { character: "one", name: "new", lane: "all", parts: ["mouth"], by: "", began: 100, start: 0 });
+    clips.keep();
+    expect(kinds()).toEqual(["keep_pass"]);
+    show.undo();
+    expect(last()).toMatchObject({ type: "drop_clip", name: "new" });
+    show.redo();
+    expect(last()).toMatchObject({ type: "restore_clip", name: "new" });
+  });
+
+  it("keeps the lane that is chosen while the clip is gone for a moment", async () => {
+    clips.chooseLane(1);
+    clips.select({ from: 3, to: 5 });
+    show.receive({ type: "clips", names: [] });
+    await settle();
+    expect(clips.outline).toBeNull();
+    show.receive({ type: "clips", names: ["line"] });
+    await settle();
+    expect([clips.lane, clips.span]).toEqual([1, { from: 3, to: 5 }]);
   });
 
   it("takes edits of lanes and deleted clips back", () => {

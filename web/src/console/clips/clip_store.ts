@@ -12,11 +12,12 @@ import type {
   EditLane,
   LaneOutline,
   NamedSound,
+  State,
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
-import { type Change, clearStep } from "../store/undo_history";
-import { clipTime, partsLabel, passesOf, positionOf } from "./clip_passes";
+import { type Change, clearStep, type Step } from "../store/undo_history";
+import { clipTime, endedWords, passesOf, passLabel, positionOf } from "./clip_passes";
 import { type Held, heldOf } from "./held_parts";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
@@ -68,7 +69,10 @@ export class ClipStore extends TopicStore<ClipTopic> {
   #chosen = "";
   #again: SpanAgain | null = null;
   #work: ClipWork = NO_WORK;
-  #ending: "keep" | "discard" | null = null;
+  #ending: "keep" | "discard" | "again" | null = null;
+  /** The name of a lane that is chosen once it is there. */
+  #awaited: string | null = null;
+  #epoch: State["epoch"] | null = null;
   #reading = 0;
   #count = 0;
   #counts = 0;
@@ -90,7 +94,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
         );
     });
     show.hear("clip_work", (work) => this.#receiveWork(work));
-    show.hear("state", () => {
+    show.hear("state", ({ epoch }) => {
+      this.#forgetDropped(epoch);
       this.#endSpan();
       this.#hearSilence();
       this.#hearHands();
@@ -168,6 +173,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** Shows another clip, or a new one that its first pass makes. */
   choose(name: string): void {
     this.name = name;
+    this.#awaited = null;
     [this.lane, this.span, this.begun, this.outline] = [0, null, null, null];
     [this.cursor, this.firstSound] = [0, ""];
     this.tell("clips");
@@ -342,7 +348,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     if (pass === null) this.show.say("No pass is recorded.");
     else if (this.#may(this.locked)) {
       [this.#ending, this.#again] = [how, null];
-      this.show.ask({ type: "keep_pass", character: pass.character, keep: how === "keep" });
+      const ends = { type: "keep_pass", character: pass.character, keep: how === "keep" } as const;
+      if (how === "discard") this.show.ask(ends);
+      else this.#change(`Kept in ${pass.name}: ${passLabel(pass)} is a lane now.`, "pass", [ends], pass.name);
     }
   }
 
@@ -400,38 +408,43 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #replaceAgain(to: number): void {
-    const again = this.#again;
     const { pass } = this;
-    this.#end("keep");
-    if (again === null || pass === null || to - again.from < 0.05) return; // what was recorded stays, as a lane
-    const { lane, by, from } = again;
-    const done = `Recorded again from ${clipTime(from)} to ${clipTime(to)}.`;
-    this.#change(done, "span recorded again", [
-      { type: "replace_span", name: pass.name, lane, by, start: from, stop: to },
-    ]);
+    const again = this.#again;
+    if (again === null || pass === null || to - again.from < 0.05)
+      this.#end("keep"); // it stays, as a lane
+    else if (this.#may(this.locked)) {
+      const { lane, by, from } = again;
+      [this.#ending, this.#again] = ["again", null];
+      this.#change(
+        `Recorded again from ${clipTime(from)} to ${clipTime(to)}.`,
+        "span recorded again",
+        [
+          { type: "keep_pass", character: pass.character, keep: true },
+          { type: "replace_span", name: pass.name, lane, by, start: from, stop: to },
+        ],
+        pass.name,
+      );
+    }
   }
 
   #receiveWork(work: ClipWork): void {
     const before = this.#work;
     this.#work = work;
     this.tell("work");
-    if (before.edits !== work.edits) void this.#read(false);
+    const kept = before.edits !== work.edits;
+    if (kept) void this.#read(false);
     const ended = before.passes.find((pass) => pass.character === this.character && pass.name === this.name);
     if (ended !== undefined && !work.passes.some(({ character }) => character === ended.character))
-      this.#say(ended, before.edits !== work.edits);
+      this.#hearEnd(ended, kept);
   }
 
-  /** Says what has become of a pass of this page. */
-  #say({ name, lane, parts }: ClipPass, kept: boolean): void {
+  /** A pass of the character is over; what this page ended itself has been said. */
+  #hearEnd(pass: ClipPass, kept: boolean): void {
     const how = this.#ending;
     [this.#ending, this.#again] = [null, null];
-    const what = `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
-    if (kept)
-      this.show.say(
-        `Kept in ${name}: ${what} ${how === null ? "by another hand or after ten minutes" : "is a lane now"}.`,
-        "done",
-      );
-    else if (how === "discard") this.show.say("The pass is discarded.", "done");
+    if (kept && how !== "again") this.#awaited = pass.lane; // what is new is chosen
+    if (how === "discard") this.show.say("The pass is discarded.", "done");
+    else if (how === null) this.show.say(endedWords(pass, kept, this.show.state?.time ?? 0), "done");
   }
 
   // --- what is edited ---
@@ -615,20 +628,25 @@ export class ClipStore extends TopicStore<ClipTopic> {
     this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo });
   }
 
-  /** A change that no message takes back: the clip as it was is laid aside, and comes again in its place. */
-  #change(done: string, what: string, changes: readonly Change[]): void {
-    const { name } = this;
+  /**
+   * A change that no message takes back, the end of a pass too: the clip is laid aside as it is before, and after it
+   * once that is taken back. A clip that the change makes is dropped and restored.
+   */
+  #change(done: string, what: string, changes: readonly Change[], name = this.name): boolean {
     this.#count += 1;
-    const aside = `before ${this.page.slice(0, 8)} ${this.#count}`;
-    this.show.act(done, {
+    const [before, after] = ["before", "after"].map((when) => `${when} ${this.page.slice(0, 8)} ${this.#count}`);
+    const made = !this.names.includes(name);
+    const step: Step = {
       what: `${what} of ${name}`,
-      undo: [
-        { type: "drop_clip", name },
-        { type: "restore_clip", name: aside },
-        { type: "rename_clip", name: aside, to: name },
-      ],
-      redo: [{ type: "copy_clip", name, to: aside }, { type: "drop_clip", name: aside }, ...changes],
-    });
+      undo: made ? [{ type: "drop_clip", name }] : [...layAside(name, after ?? ""), ...bringBack(name, before ?? "")],
+      redo: made
+        ? [{ type: "restore_clip", name }]
+        : [...layAside(name, before ?? ""), ...bringBack(name, after ?? "")],
+    };
+    const first: Step = { ...step, redo: [...(made ? [] : layAside(name, before ?? "")), ...changes] };
+    if (!this.show.takeStep(first, "redo", () => this.show.history.skip(step))) return false;
+    this.show.offerUndo(done, step);
+    return true;
   }
 
   // --- within ---
@@ -637,6 +655,15 @@ export class ClipStore extends TopicStore<ClipTopic> {
   #may(barred: string): boolean {
     if (barred !== "") this.show.say(barred);
     return barred === "";
+  }
+
+  /** A server that was started anew has nothing that was laid aside before: what needs it is not taken back. */
+  #forgetDropped(epoch: State["epoch"]): void {
+    const [before, { history }] = [this.#epoch, this.show];
+    this.#epoch = epoch;
+    if (before === null || before === epoch) return;
+    for (const step of [...history.steps.undo, ...history.steps.redo])
+      if ([...step.undo, ...step.redo].some(({ type }) => type === "restore_clip")) history.skip(step);
   }
 
   #receiveNames(): void {
@@ -670,10 +697,27 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #show(outline: ClipOutline | null, fromStart: boolean): void {
-    const more = outline !== null && this.outline !== null && outline.lanes.length > this.outline.lanes.length;
-    if (outline !== null && (fromStart || this.outline === null)) this.cursor = outline.start;
     this.outline = outline;
-    this.lane = more ? outline.lanes.length - 1 : Math.max(0, Math.min(this.lane, this.lanes.length - 1));
+    if (outline !== null) {
+      const { start, stop, lanes } = outline;
+      this.cursor = fromStart ? start : Math.max(start, Math.min(stop, this.cursor));
+      const awaited = this.#awaited === null ? -1 : lanes.findLastIndex(({ name }) => name === this.#awaited);
+      if (awaited !== -1) [this.lane, this.#awaited] = [awaited, null];
+      this.lane = Math.max(0, Math.min(this.lane, lanes.length - 1));
+    } // one that is taken back is gone for a moment, and its lane stays chosen
     this.tell("clips");
   }
 }
+
+/** Keeps a clip as it is under another name, for `bringBack`. */
+const layAside = (name: string, aside: string): readonly Change[] => [
+  { type: "copy_clip", name, to: aside },
+  { type: "drop_clip", name: aside },
+];
+
+/** Puts what was laid aside in the place of a clip. */
+const bringBack = (name: string, aside: string): readonly Change[] => [
+  { type: "drop_clip", name },
+  { type: "restore_clip", name: aside },
+  { type: "rename_clip", name: aside, to: name },
+];
