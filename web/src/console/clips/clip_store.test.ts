@@ -207,6 +207,23 @@ describe("the store of clips", () => {
     expect(last()).toMatchObject({ type: "restore_clip", name: "line" });
   });
 
+  it("adds up quick presses that shift a lane, and takes them back in one step", () => {
+    for (let press = 0; press < 8; press += 1) clips.shift(1, 0.01); // nothing of it is heard yet
+    expect(last()).toMatchObject({ type: "edit_lane", lane: "2", shift: 0.08 });
+    expect(show.history.steps.undo).toHaveLength(1);
+    clips.shift(0, 0.1); // another lane: another step
+    expect(show.history.steps.undo).toHaveLength(2);
+    show.undo();
+    show.undo();
+    expect(last()).toMatchObject({ lane: "2", shift: 0 });
+    clips.shift(1, 0.01);
+    for (const act of waiting.splice(0)) act(); // a second later
+    clips.shift(1, 0.01);
+    expect(show.history.steps.undo).toHaveLength(2);
+    clips.shiftTo(1, 0.25);
+    expect(last()).toMatchObject({ shift: 0.25 });
+  });
+
   it("marks a span by its ends, and none that ends before it begins", () => {
     clips.seek(2);
     clips.mark("from");

@@ -33,6 +33,8 @@ const RUN_OUT = 0.1;
 /** Seconds in which playing begins and ends by the keys of a transport. */
 const BLEND = 0.1;
 const AGAIN_MS = 500;
+/** Milliseconds within which presses that shift a lane follow each other. */
+const RUN_MS = 1000;
 const NO_WORK: ClipWork = { type: "clip_work", passes: [], edits: 0 };
 
 /** A span of a lane that is recorded again: `by` is the pass, which replaces it once it is over. */
@@ -64,6 +66,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** The sound that a new clip has from its first pass on; "" for none. */
   firstSound = "";
   #silent = "";
+  /** The presses that shift a lane now: from where, and where it was asked to be last. */
+  #shifts: { of: string; before: number; asked: number; step: Step | null } | null = null;
   /** What hands held above the clip when that was said last. */
   #held = "";
   #chosen = "";
@@ -539,13 +543,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
     } else this.editClip(sound === "" ? { sound } : { sound, sound_at: from });
   }
 
-  editLane(index: number, change: EditOf<EditLane>, what: string): void {
+  /** `was`: what is taken back to, where that is not what was heard last. */
+  editLane(index: number, change: EditOf<EditLane>, what: string, was: EditOf<EditLane> = {}): void {
     const [lane, name] = [this.lanes[index], this.name];
     if (lane === undefined || !this.#may(this.locked)) return;
     const { to, ...rest } = change;
-    const before: EditOf<EditLane> = Object.fromEntries(
-      Object.keys(rest).map((key) => [key, lane[key as keyof typeof rest]]),
-    );
+    const heard = Object.fromEntries(Object.keys(rest).map((key) => [key, lane[key as keyof typeof rest]]));
+    const before: EditOf<EditLane> = { ...heard, ...was };
     const renamed = this.lanes.map((each, place) => (place === index && to != null ? { name: to } : each));
     const [old, now] = [laneKey(this.lanes, index), laneKey(renamed, index)];
     this.show.act(`${what}.`, {
@@ -570,11 +574,36 @@ export class ClipStore extends TopicStore<ClipTopic> {
       this.editLane(index, { muted: !lane.muted }, `Lane ${index + 1} ${lane.muted ? "plays again" : "is mute"}`);
   }
 
+  /**
+   * Moves a lane by so many seconds from where it was asked to be last, heard or not: presses that follow each other
+   * within a second are one step that can be taken back.
+   */
   shift(index: number, seconds: number): void {
     const lane = this.lanes[index];
-    const shift = Math.round(((lane?.shift ?? 0) + seconds) * 1000) / 1000;
-    if (lane !== undefined && seconds !== 0)
-      this.editLane(index, { shift }, `Lane ${index + 1} ${Math.abs(shift)} s ${shift < 0 ? "earlier" : "later"}`);
+    if (lane === undefined || seconds === 0 || !this.#may(this.locked)) return;
+    const of = `${this.name}/${laneKey(this.lanes, index)}`;
+    const run = this.#shifts?.of === of && this.show.history.next("undo") === this.#shifts.step ? this.#shifts : null;
+    const [before, asked] = run === null ? [lane.shift, lane.shift] : [run.before, run.asked];
+    if (run !== null && run.step !== null) this.show.history.skip(run.step);
+    this.#shiftTo(index, asked + seconds, before);
+    const begun = { of, before, asked: asked + seconds, step: this.show.history.next("undo") };
+    this.#shifts = begun;
+    this.later(() => {
+      if (this.#shifts === begun) this.#shifts = null;
+    }, RUN_MS);
+  }
+
+  /** Moves a lane to so many seconds. */
+  shiftTo(index: number, seconds: number): void {
+    const lane = this.lanes[index];
+    this.#shifts = null;
+    if (lane !== undefined && seconds !== lane.shift) this.#shiftTo(index, seconds, lane.shift);
+  }
+
+  #shiftTo(index: number, seconds: number, before: number): void {
+    const shift = Math.round(seconds * 1000) / 1000;
+    const what = `Lane ${index + 1} ${Math.abs(shift)} s ${shift < 0 ? "earlier" : "later"}`;
+    this.editLane(index, { shift }, what, { shift: before });
   }
 
   dropLane(index: number): void {

@@ -171,7 +171,7 @@ export class ClipTimeline extends AnimatedClipElement {
   #shiftTo(event: Event, lane: LaneOutline, place: number): void {
     const seconds = numberIn(textOf(event));
     if (seconds === null) (event.target as HTMLInputElement).value = String(lane.shift);
-    else this.clips.shift(place, seconds - lane.shift);
+    else this.clips.shiftTo(place, seconds);
   }
 
   #block(lane: LaneOutline, place: number) {
@@ -281,7 +281,7 @@ export class ClipTimeline extends AnimatedClipElement {
 
   #drop({ of, seconds }: Dragged): void {
     const { outline } = this.clips;
-    if (typeof of === "number") this.clips.shift(of, seconds);
+    if (typeof of === "number") this.clips.shiftTo(of, (this.clips.lanes[of]?.shift ?? 0) + seconds);
     else if (outline !== null && seconds !== 0) this.#trimTo(of, outline[of] + seconds);
   }
 
