@@ -162,10 +162,17 @@ export class ClipTimeline extends AnimatedClipElement {
       <button class="more" aria-label="Delete ${called}" title="Delete it; Undo brings it back" ?disabled=${barred || clips.lanes.length === 1} @click=${() => clips.dropLane(place)}>✕</button>
       ${instead ? html`<button class="instead" title="It shows in the chosen lane within the span, and is no lane of its own any more" ?disabled=${barred} @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => clips.replaceBy(place)} @focus=${(event: Event) => event.stopPropagation()} @focusin=${(event: Event) => event.stopPropagation()}>Into the span</button>` : nothing}
       <div class="line more"><label>Weight<input type="range" min="0" max="1" step="0.01" aria-label="Weight of ${called}" title=${lane.weight} ?disabled=${barred} .value=${String(lane.weight)}
-          @change=${(event: Event) => clips.editLane(place, { weight: Number(textOf(event)) }, `Lane ${place + 1} weighs ${textOf(event)}`)}></label>
+          @change=${(event: Event) => this.#weigh(event, place)}></label>
         <label>Shift<button aria-label="${called} 10 ms earlier" title="10 ms earlier (Alt ←)" ?disabled=${barred} @click=${() => clips.shift(place, -0.01)}>◂</button><input class="seconds" inputmode="decimal" aria-label="Shift of ${called}, seconds" ?disabled=${barred} .value=${String(Math.round(lane.shift * 1000) / 1000)}
           @change=${(event: Event) => this.#shiftTo(event, lane, place)}><button aria-label="${called} 10 ms later" title="10 ms later (Alt →)" ?disabled=${barred} @click=${() => clips.shift(place, 0.01)}>▸</button></label></div>
       <div class="line parts more" role="group" aria-label="Parts of ${called}">${LAYER_PARTS.map((part) => html`<button title="It plays the ${part}" aria-pressed=${lane.parts.includes(part)} ?disabled=${barred} @click=${() => clips.togglePart(place, part)}>${part}</button>`)}</div>`;
+  }
+
+  /** A slider that a pointer has moved leaves the arrow keys to the page. */
+  #weigh(event: Event, place: number): void {
+    const slider = event.target as HTMLInputElement;
+    this.clips.editLane(place, { weight: Number(slider.value) }, `Lane ${place + 1} weighs ${slider.value}`);
+    if (!slider.matches(":focus-visible")) slider.blur();
   }
 
   #shiftTo(event: Event, lane: LaneOutline, place: number): void {
