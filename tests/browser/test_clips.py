@@ -76,24 +76,27 @@ def moved_most(page: Page, lane: int) -> Any:
     return page.evaluate(f"Object.keys({CLIPS}.lanes[{lane}].moves)[0]")
 
 
-def arm_alone(page: Page, part: str) -> None:
-    """Arms one part by clicks."""
-    for button in page.locator("omote-clip-transport .arm").all():
-        if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-part") == part):
-            button.click()
+def armed(page: Page) -> list[str | None]:
+    """The parts that are armed, as the page shows it."""
+    pressed = page.locator("omote-clip-transport .arm[aria-pressed=true]").all()
+    return [button.get_attribute("data-part") for button in pressed]
 
 
 def record_two_passes(page: Page, name: str) -> None:
     """The mouth by keys, then the brows by clicks."""
     begin_clip(page, name)
-    arm_alone(page, "mouth")
+    page.keyboard.press("a")
+    assert len(armed(page)) == 6
+    page.keyboard.press("3")
+    assert armed(page) == ["mouth"]
     page.keyboard.press("r")
     wait_until(page, f"{CLIPS}.pass !== null")
     play_channel(page, "jawOpen", 0.75)
     play_channel(page, "jawOpen", 0.0)
     page.keyboard.press("k")
     wait_until(page, f"{CLIPS}.lanes.length === 1")
-    arm_alone(page, "brows")
+    page.locator("omote-clip-transport .arm[data-part=brows]").click()
+    assert armed(page) == ["brows"]
     page.get_by_role("button", name="Record", exact=True).click()
     wait_until(page, f"{CLIPS}.pass?.parts.join() === 'brows'")
     play_channel(page, "browInnerUp", 0.75)

@@ -101,7 +101,7 @@ describe("the store of clips", () => {
   });
 
   it("records what is armed after three seconds, which can be called off", () => {
-    for (const part of ["brows", "eyes", "rest", "head", "gaze"] as const) clips.arm(part);
+    clips.arm("mouth", "only");
     clips.record();
     expect([clips.counting, kinds()]).toEqual([3, []]);
     clips.discard();
@@ -285,7 +285,7 @@ describe("the store of clips", () => {
     clips.record();
     expect([show.notice, clips.counting]).toEqual([null, 3]); // the mouth is armed: its hand is what is recorded
     clips.discard();
-    clips.arm("mouth");
+    clips.arm("mouth", "beside");
     clips.record();
     expect(show.notice).toContain("Hands hold jawOpen");
     const [offer] = show.offers;

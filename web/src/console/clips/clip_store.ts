@@ -17,6 +17,7 @@ import type {
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
 import { type Change, clearStep, type Step } from "../store/undo_history";
+import { type Arming, armedAfter } from "./armed_parts";
 import { clipTime, endedWords, passesOf, passLabel, positionOf } from "./clip_passes";
 import { type Held, heldOf } from "./held_parts";
 import { freeLaneName, laneKey, type Span } from "./timeline";
@@ -223,10 +224,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
     this.tell("view");
   }
 
-  arm(part: Part): void {
-    const armed = new Set(this.armed);
-    if (!armed.delete(part)) armed.add(part);
-    this.armed = armed;
+  arm(part: Part, how: Arming): void {
+    this.armed = armedAfter(this.armed, part, how);
+    this.tell("view");
+  }
+
+  armAll(): void {
+    this.armed = new Set(LAYER_PARTS);
     this.tell("view");
   }
 
@@ -267,7 +271,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     if (this.counting !== null) this.#cancel();
     else if (this.pass !== null) this.keep();
     else if (this.#mayRecord() && this.armed.size === 0)
-      this.show.say("No part is armed: press 1 to 6, or touch what is to be recorded.");
+      this.show.say("No part is armed: press 1 to 6 (A: all), or touch what is to be recorded.");
     else if (this.#mayRecord()) this.#countIn(() => this.#begin());
     if (this.counting !== null) this.#sayHeld(this.heldOver(this.armed));
   }
