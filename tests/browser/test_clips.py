@@ -65,7 +65,8 @@ def play_channel(page: Page, name: str, value: float) -> None:
 
 def begin_clip(page: Page, name: str) -> None:
     """Begins a clip by keys, without a count."""
-    page.keyboard.press("c")
+    if page.evaluate(f"{CLIPS}.countsIn"):  # what a page before has chosen is kept
+        page.keyboard.press("c")
     page.keyboard.press("n")
     page.keyboard.type(name)
     page.keyboard.press("Enter")
@@ -111,6 +112,11 @@ def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: Op
     assert [moved_most(page, lane) for lane in (0, 1)] == ["channel/jawOpen", "channel/browInnerUp"]
     expect(page.locator("omote-clip-timeline .block path")).not_to_have_count(0)
     expect(page.locator("[role=status].notice")).to_contain_text("lane brows, is a lane now")
+
+    page.reload()
+    wait_until(page, f"document.querySelector('omote-clips-page')?.clips.lanes.length === 2 && {CLIPS}.show.state")
+    assert page.evaluate(f"[{CLIPS}.name, {CLIPS}.lane, {CLIPS}.countsIn]") == ["line", 1, False]
+    assert armed(page) == ["brows"]
 
     # Both lanes play, from the start, and the line moves.
     page.keyboard.press("Home")

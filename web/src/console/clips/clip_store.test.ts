@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import type { ClipOutline, ClipPass, FromClient, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
 import { ClipStore } from "./clip_store";
+import type { Marks } from "./page_marks";
 
 const LANE = { parts: ["mouth" as const], weight: 1, muted: false, shift: 0, start: 0, stop: 8, spans: [], moves: {} };
 const outline = (...names: string[]): ClipOutline => ({
@@ -273,6 +274,33 @@ describe("the store of clips", () => {
     show.say(null);
     tick(102, playing);
     expect(show.notice).toBeNull();
+  });
+
+  it("goes on with what was armed and chosen before a reload", async () => {
+    const kept: Marks[] = [];
+    const marks = { read: () => kept.at(-1) ?? {}, write: (now: Marks) => kept.push(now) };
+    const begin = async (): Promise<ClipStore> => {
+      const request = async () => ({ ok: true, status: 200, json: async () => stored.line }) as unknown as Response;
+      const begun = new ClipStore(show, "page", request as typeof fetch, () => 0, marks);
+      show.receive({ type: "clips", names: ["another", "line"] });
+      await settle();
+      return begun;
+    };
+    const before = await begin();
+    before.choose("line");
+    await settle();
+    before.arm("mouth", "only");
+    before.setCountIn(false);
+    before.chooseLane(1);
+    before.chooseCharacter("two");
+    const after = await begin();
+    expect([after.name, after.lane, [...after.armed], after.countsIn, after.character]).toEqual([
+      "line",
+      1,
+      ["mouth"],
+      false,
+      "two",
+    ]);
   });
 
   it("says once what hands hold above a clip that plays, and lets go of it", () => {

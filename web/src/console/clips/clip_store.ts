@@ -20,6 +20,7 @@ import { type Change, clearStep, type Step } from "../store/undo_history";
 import { type Arming, armedAfter } from "./armed_parts";
 import { clipTime, endedWords, passesOf, passLabel, positionOf } from "./clip_passes";
 import { type Held, heldOf } from "./held_parts";
+import type { PageMarks } from "./page_marks";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
 export type Part = (typeof LAYER_PARTS)[number];
@@ -82,14 +83,21 @@ export class ClipStore extends TopicStore<ClipTopic> {
   #count = 0;
   #counts = 0;
 
-  /** `page`: a name that no other page has; `later`: calls after some milliseconds. */
+  /** `page`: a name that no other page has; `later`: calls after some milliseconds; `marks`: outlive a reload. */
   constructor(
     readonly show: ConsoleStore,
     private readonly page: string,
     private readonly request: typeof fetch = (...of) => fetch(...of),
     private readonly later: (act: () => void, milliseconds: number) => unknown = (act, wait) => setTimeout(act, wait),
+    private readonly marks: Pick<PageMarks, "read" | "write"> = { read: () => ({}), write: () => undefined },
   ) {
     super();
+    const { armed, countsIn, character } = marks.read();
+    if (armed !== undefined) this.armed = new Set(armed);
+    this.countsIn = countsIn ?? this.countsIn;
+    this.#chosen = character ?? "";
+    this.listen("view", () => this.#keepMarks());
+    this.listen("clips", () => this.#keepMarks());
     show.hear("clips", () => this.#receiveNames());
     show.hear("sounds", () => this.tell("clips"));
     show.hear("sound_dropped", ({ name, needed_by }) => {
@@ -699,9 +707,18 @@ export class ClipStore extends TopicStore<ClipTopic> {
       if ([...step.undo, ...step.redo].some(({ type }) => type === "restore_clip")) history.skip(step);
   }
 
+  #keepMarks(): void {
+    const { name: clip, lane, countsIn } = this;
+    if (clip !== "") this.marks.write({ clip, lane, armed: [...this.armed], countsIn, character: this.#chosen });
+  }
+
   #receiveNames(): void {
     const [first] = this.names;
-    if (this.name === "" && first !== undefined) this.choose(first);
+    const { clip = "", lane = 0 } = this.name === "" ? this.marks.read() : {};
+    if (this.names.includes(clip)) {
+      this.choose(clip);
+      this.lane = lane;
+    } else if (this.name === "" && first !== undefined) this.choose(first);
     else void this.#read(false);
     this.tell("clips");
   }
