@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import type { ClipOutline, ClipPass, FromClient, State } from "../../link/messages";
+import type { ClipOutline, ClipPass, FromClient, FromServer, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
 import { ClipStore } from "./clip_store";
 import type { Marks } from "./page_marks";
@@ -23,6 +23,7 @@ const outline = (...names: string[]): ClipOutline => ({
 let [sent, number, time]: [FromClient[], number, number] = [[], 0, 0];
 let stored: Record<string, ClipOutline>;
 let waiting: (() => void)[];
+let [panics, cues]: [number, object[]] = [0, []];
 let show: ConsoleStore;
 let clips: ClipStore;
 
@@ -34,7 +35,7 @@ const tick = (at: number, playing: object[] = [], channels: Record<string, numbe
     head: [0, 0, 0],
     gaze: [0, 0],
     held: null,
-    panics: 0,
+    panics,
     label: "Kaori",
     face_call: null,
     expression_call: null,
@@ -68,6 +69,7 @@ beforeEach(async () => {
     if (address === "/sounds?name=monologue")
       return { ok: true, json: async () => ({ sound: "key", name: "monologue", seconds: 4 }) } as Response;
     if (address.startsWith("/sounds")) return { ok: false, text: async () => "send WAV, MP3 or Ogg." } as Response;
+    if (address.startsWith("/cue_lists")) return { status: 200, json: async () => ({ cues }) } as unknown as Response;
     const found = stored[decodeURIComponent(address.replace("/clip_outlines/", ""))];
     return { ok: true, status: found ? 200 : 204, json: async () => found } as unknown as Response;
   };
@@ -114,6 +116,7 @@ describe("the store of clips", () => {
   });
 
   it("keeps and discards the pass, and says which", () => {
+    show.receive({ type: "welcome", name: "Anna" } as unknown as FromServer);
     const pass = {
       character: "one",
       name: "line",
@@ -301,6 +304,48 @@ describe("the store of clips", () => {
       false,
       "two",
     ]);
+  });
+
+  it("asks before it ends a pass that somebody else records", () => {
+    show.receive({ type: "welcome", name: "Ben" } as unknown as FromServer);
+    work(1, { character: "one", name: "line", lane: "mouth 2", parts: ["mouth"], by: "Anna", began: 100, start: 0.5 });
+    for (const press of [() => clips.record(), () => clips.togglePlay(), () => clips.keep(), () => clips.discard()]) {
+      show.say(null);
+      press();
+      expect([show.notice, kinds()]).toEqual(["Anna records mouth of Kaori in line: it goes on.", []]);
+    }
+    const [, discard] = show.offers;
+    if (discard !== undefined && "act" in discard) discard.act();
+    expect(last()).toMatchObject({ type: "keep_pass", keep: false });
+  });
+
+  it("says that a pass goes on after a panic", () => {
+    work(1, { character: "one", name: "line", lane: "mouth 2", parts: ["mouth"], by: "", began: 100, start: 0.5 });
+    panics += 1;
+    tick(101);
+    expect(show.notice).toContain("the pass goes on, and records the neutral face");
+    show.say(null);
+    tick(102);
+    expect(show.notice).toBeNull();
+  });
+
+  it("begins no clip under a name that another has", () => {
+    expect([clips.begin("LINE"), clips.name]).toEqual([false, "line"]);
+    expect(show.notice).toBe("There is a clip line already: give another name.");
+    expect([clips.begin("new"), clips.name]).toEqual([true, "new"]);
+  });
+
+  it("says which cues call a clip that is deleted, and shows another", async () => {
+    const move = (goal: object) => ({ moves: { "one/clip": { goal } } });
+    cues = [
+      { number: "1", ...move({ line: 1, ":start": 2 }) },
+      { number: "2", ...move({ other: 1 }) },
+    ];
+    show.receive({ ...(show.state as State), number: 1e6, cues: { lists: { main: {} } } } as unknown as State);
+    clips.drop();
+    await settle();
+    expect(show.notice).toBe("line is deleted, and cue 1 calls it: nothing plays there now.");
+    expect(clips.name).toBe("");
   });
 
   it("says once what hands hold above a clip that plays, and lets go of it", () => {

@@ -16,10 +16,11 @@ import type {
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
-import { type Change, clearStep, type Step } from "../store/undo_history";
+import type { Change, Step } from "../store/undo_history";
 import { type Arming, armedAfter } from "./armed_parts";
-import { clipTime, endedWords, passesOf, passLabel, positionOf } from "./clip_passes";
-import { type Held, heldOf } from "./held_parts";
+import { findCallers } from "./clip_callers";
+import { clipTime, endedWords, passesOf, passLabel, passWords, positionOf } from "./clip_passes";
+import { HandsAbove } from "./hands_above";
 import type { PageMarks } from "./page_marks";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
@@ -68,10 +69,11 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** The sound that a new clip has from its first pass on; "" for none. */
   firstSound = "";
   #silent = "";
+  /** How many panics the character had had. */
+  #panics: number | null = null;
   /** The presses that shift a lane now: from where, and where it was asked to be last. */
   #shifts: { of: string; before: number; asked: number; step: Step | null } | null = null;
-  /** What hands held above the clip when that was said last. */
-  #held = "";
+  readonly #hands = new HandsAbove(this);
   #chosen = "";
   #again: SpanAgain | null = null;
   #work: ClipWork = NO_WORK;
@@ -111,7 +113,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
       this.#forgetDropped(epoch);
       this.#endSpan();
       this.#hearSilence();
-      this.#hearHands();
+      this.#hands.hear();
+      this.#hearPanic();
     });
     show.listen("link", () => this.#relink());
     for (const topic of ["notice", "characters", "undo"] as const) show.listen(topic, () => this.tell(topic));
@@ -193,8 +196,22 @@ export class ClipStore extends TopicStore<ClipTopic> {
     void this.#read(true);
   }
 
+  /** Begins a clip that its first pass makes; false where there is one of this name, which is then said. */
+  begin(name: string): boolean {
+    const twin = this.names.find((each) => each.toLowerCase() === name.toLowerCase());
+    if (twin !== undefined)
+      this.show.say(`There is a clip ${twin} already: give another name.`, "attention", [
+        { label: `Open ${twin}`, act: () => this.choose(twin) },
+      ]);
+    else {
+      this.choose(name);
+      this.show.say(`Arm parts and record (R): the first pass makes ${name}.`, "done");
+    }
+    return twin === undefined;
+  }
+
   chooseCharacter(name: string): void {
-    this.#chosen = name;
+    [this.#chosen, this.#panics] = [name, null];
     this.tell("view");
   }
 
@@ -281,7 +298,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     else if (this.#mayRecord() && this.armed.size === 0)
       this.show.say("No part is armed: press 1 to 6 (A: all), or touch what is to be recorded.");
     else if (this.#mayRecord()) this.#countIn(() => this.#begin());
-    if (this.counting !== null) this.#sayHeld(this.heldOver(this.armed));
+    if (this.counting !== null) this.#hands.say(this.#hands.above(this.armed));
   }
 
   /** Records a span of the chosen lane again, from a little before it. */
@@ -301,8 +318,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     }
   }
 
-  /** Ends the pass and keeps it. */
+  /** Ends the pass and keeps it; that of somebody else only after a question. */
   keep(): void {
+    if (this.#asks()) return;
     if (this.#again !== null) this.#replaceAgain(Math.min(this.#again.to, this.position));
     else this.#end("keep");
   }
@@ -310,8 +328,20 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** Ends the pass without a trace; without one, forgets what is selected. */
   discard(): void {
     if (this.counting !== null) this.#cancel();
-    else if (this.pass !== null) this.#end("discard");
-    else this.select(null);
+    else if (this.pass === null) this.select(null);
+    else if (!this.#asks()) this.#end("discard");
+  }
+
+  /** Asks before a pass ends that another records; whether it did. */
+  #asks(): boolean {
+    const { pass } = this;
+    if (pass === null || pass.by === this.show.name) return false;
+    const says = `${passWords(pass, this.labelOf(pass.character), LAYER_PARTS.length)}: it goes on.`;
+    this.show.say(says, "attention", [
+      { label: "Keep it", act: () => this.#end("keep") },
+      { label: "Discard it", act: () => this.#end("discard") },
+    ]);
+    return true;
   }
 
   #mayRecord(): boolean {
@@ -348,7 +378,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
 
   #send(parts: readonly Part[], lane: string, start: number | null): void {
     this.#ending = null;
-    this.#held = "";
+    this.#hands.forget();
     this.show.say(null);
     const asked = { type: "record_clip", character: this.character, name: this.name, lane, start } as const;
     const refused = ({ reason }: { reason: string }): void => {
@@ -370,43 +400,15 @@ export class ClipStore extends TopicStore<ClipTopic> {
     }
   }
 
-  /** What hands hold of the parts that the clip plays, and so hide of it; `but`: parts that are recorded. */
-  heldOver(but: Iterable<Part> = []): readonly Held[] {
-    const state = this.show.state?.characters[this.character];
-    const recorded = new Set(but);
-    const heard = this.lanes.filter(({ muted }) => !muted).flatMap(({ parts }) => parts);
-    const parts = heard.filter((part) => !recorded.has(part));
-    return state === undefined ? [] : heldOf(state, parts, this.show.expressions);
-  }
-
-  /** Lets go of what hands hold above the clip. */
-  release(held: readonly Held[]): void {
-    if (!this.#may(this.unheard)) return;
-    const { character } = this;
-    const channels = held.filter(({ name }) => name !== "head" && name !== "gaze");
-    if (held.some(({ name }) => name === "head"))
-      this.show.put(`${character}/head`, { type: "set_head", character, yaw: 0, pitch: 0, roll: 0 });
-    if (held.some(({ name }) => name === "gaze"))
-      this.show.put(`${character}/gaze`, { type: "set_gaze", character, yaw: 0, pitch: 0 });
-    const step = clearStep(channels.map(({ name, weight }) => [character, name, weight]));
-    if (channels.length > 0) this.show.act(`Released: ${held.map(({ name }) => name).join(", ")}.`, step);
-    else this.show.say(`Released: ${held.map(({ name }) => name).join(", ")}.`, "done");
-  }
-
-  /** Says what hands hold above a clip that plays, once of the same. */
-  #hearHands(): void {
-    const held = this.playing === null ? [] : this.heldOver(this.pass?.parts);
-    const names = held.map(({ name }) => name).join();
-    if (names !== this.#held && held.length > 0) this.#sayHeld(held);
-    this.#held = names;
-  }
-
-  #sayHeld(held: readonly Held[]): void {
-    if (held.length === 0) return;
-    const names = held.map(({ name }) => name);
-    const what = names.length > 3 ? `${names.slice(0, 3).join(", ")} and ${names.length - 3} more` : names.join(", ");
-    const says = `Hands hold ${what} of ${this.labelOf(this.character)}, above what the clip plays there.`;
-    this.show.say(says, "attention", [{ label: "Release", act: () => this.release(held) }]);
+  /** Says that a pass goes on after a panic, with what shows then. */
+  #hearPanic(): void {
+    const [before, now] = [this.#panics, this.show.state?.characters[this.character]?.panics ?? 0];
+    this.#panics = now;
+    if (this.pass === null || before === null || before === now) return;
+    this.show.say("Panic: the pass goes on, and records the neutral face until it is played again.", "attention", [
+      { label: "Keep", act: () => this.keep() },
+      { label: "Discard", act: () => this.discard() },
+    ]);
   }
 
   /** Says why the sound of a clip that plays is not heard. */
@@ -666,7 +668,17 @@ export class ClipStore extends TopicStore<ClipTopic> {
   drop(name = this.name): void {
     if (!this.names.includes(name) || !this.#may(this.locked)) return;
     const [undo, redo] = [[{ type: "restore_clip", name }], [{ type: "drop_clip", name }]] as const;
-    this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo });
+    if (!this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo })) return;
+    if (name === this.name) this.choose(this.names.find((each) => each !== name) ?? "");
+    void this.#sayCallers(name);
+  }
+
+  /** Says which cues call a clip that was deleted. */
+  async #sayCallers(name: string): Promise<void> {
+    const cues = await findCallers(name, Object.keys(this.show.state?.cues?.lists ?? {}), this.request);
+    if (cues.length === 0) return;
+    const says = `${name} is deleted, and ${cues.join(", ")} ${cues.length === 1 ? "calls" : "call"} it: nothing plays there now.`;
+    this.show.say(says, "attention", [{ label: "Undo", act: () => this.show.undo() }]);
   }
 
   /**
