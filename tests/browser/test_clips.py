@@ -171,6 +171,17 @@ def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: Ope
     page.keyboard.press("r")
     light = desk.locator("omote-record-light button")
     expect(light).to_have_attribute("aria-label", re.compile("records brows of"))
+    desk.set_viewport_size({"width": 1440, "height": 900})
+    words = light.locator(".words")
+    expect(words).to_have_text(re.compile("^brows of .*, second · console"))
+    assert words.evaluate("words => words.scrollWidth <= words.clientWidth")
+    desk.keyboard.press("Shift+Backspace")
+    expect(page.locator("[role=status].notice")).to_contain_text("the pass goes on")
+    desk.evaluate(f"{DESK}.say('Faders and pads are cleared.', 'done', [{{ label: 'Undo', act: () => undefined }}])")
+    said = desk.locator("omote-status .notice > span").first
+    expect(said).to_contain_text("cleared")
+    assert said.evaluate("said => said.scrollHeight <= said.clientHeight && said.clientWidth > 150")
+    desk.set_viewport_size({"width": 390, "height": 844})
     red = picture(desk)
     assert np.count_nonzero((red[..., 0] > 180) & (red[..., 1] < 40)) > 1500
     light.click()

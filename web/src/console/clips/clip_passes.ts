@@ -26,6 +26,10 @@ export const partsLabel = (parts: readonly string[], all: number): string =>
 export const passWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
   `${by === "" ? "A program" : by} records ${partsLabel(parts, all)} of ${label} in ${name}`;
 
+/** The same where there is little room: what is last is cut first. */
+export const lightWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
+  `${partsLabel(parts, all)} of ${label}, ${name}${by === "" ? "" : ` · ${by}`}`;
+
 /** What a pass gives its clip, as people read it. */
 export const passLabel = ({ parts, lane }: Pick<ClipPass, "parts" | "lane">): string =>
   `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
