@@ -148,6 +148,10 @@ def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: Op
     page.mouse.move(box["x"] + 110, box["y"] + 60, steps=4)
     page.mouse.up()
     assert page.evaluate(f"[{CLIPS}.lane, {CLIPS}.span.from > 0]") == [0, True]
+    expect(page.get_by_role("button", name="Into the span")).to_have_count(0)  # the lanes have no part in common
+    page.get_by_role("group", name="Parts of lane 2").get_by_role("button", name="mouth").click()
+    wait_until(page, f"{CLIPS}.lanes[1].parts.includes('mouth')")
+    page.keyboard.press("ArrowUp")
     page.get_by_role("button", name="Into the span").click()
     wait_until(page, f"{CLIPS}.lanes.length === 1 && {CLIPS}.lanes[0].spans.length === 1")
     page.get_by_role("button", name="Undo", exact=True).click()

@@ -155,7 +155,8 @@ export class ClipTimeline extends AnimatedClipElement {
     const { clips } = this;
     const barred = clips.locked !== "";
     const called = `lane ${place + 1}`;
-    const instead = clips.span !== null && place !== clips.lane;
+    const shared = lane.parts.some((part) => clips.chosenLane?.parts.includes(part));
+    const instead = clips.span !== null && place !== clips.lane && shared;
     return html`<span class="number">${place + 1}</span><input class="name" aria-label="Name of ${called}" maxlength="40" ?disabled=${barred} .value=${lane.name} autocomplete="off"
         @change=${(event: Event) => clips.editLane(place, { to: textOf(event).trim() }, `Lane ${place + 1} is named`)}>
       <button class="mute" aria-label="Mute ${called}" title="Mute (M)" aria-pressed=${lane.muted} ?disabled=${barred} @click=${() => clips.toggleMute(place)}>M</button>
