@@ -231,3 +231,24 @@ def test_nothing_is_cut_and_fingers_have_room(open_page: OpenPage) -> None:
         sized = clip_page(open_page, width=width, height=height, **fingers)
         wait_until(sized, f"{CLIPS}.lanes.length > 0")
         assert sized.evaluate(CUT) == [], (width, height)
+
+
+def test_nothing_moves_on_an_upright_tablet_when_a_pass_begins(open_page: OpenPage) -> None:
+    record_two_passes(clip_page(open_page), "fourth")
+    page = clip_page(open_page, width=768, height=1024, has_touch=True, is_mobile=True)
+    wait_until(page, f"{CLIPS}.lanes.length > 0")
+    page.evaluate(f"{CLIPS}.choose('fourth')")
+    wait_until(page, f"{CLIPS}.outline?.name === 'fourth'")
+    tops = "['omote-clip-list', 'omote-clip-timeline'].map(name => Math.round(" + (
+        "document.querySelector('omote-clips-page').shadowRoot.querySelector(name).getBoundingClientRect().top))"
+    )
+    page.evaluate(f"{CLIPS}.show.say(null)")
+    before = page.evaluate(tops)
+    page.get_by_role("button", name="Record", exact=True).click()
+    row = page.locator("omote-clip-timeline .recorded")
+    expect(row).to_be_in_viewport()
+    page.evaluate(f"{CLIPS}.show.say('A pass is recorded, and there is much to say of it.')")
+    expect(page.locator("[role=status].notice")).to_contain_text("much to say")
+    assert page.evaluate(tops) == before
+    page.get_by_role("button", name="Discard", exact=True).click()
+    expect(row).to_have_count(0)

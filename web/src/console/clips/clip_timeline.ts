@@ -40,6 +40,7 @@ export class ClipTimeline extends AnimatedClipElement {
   /** The sound of the clip as it is drawn, once it is decoded. */
   @state() private wave: Waveform | null = null;
   #fetched = "";
+  #recorded = "";
   #shown: Span = { from: 0, to: 10 };
   #pixels = 1;
 
@@ -51,6 +52,15 @@ export class ClipTimeline extends AnimatedClipElement {
     new ResizeObserver(() => {
       this.wide = this.pane.clientWidth;
     }).observe(this.pane);
+  }
+
+  /** The lane that is recorded comes in sight. */
+  override updated(): void {
+    const { pass, name } = this.clips;
+    const recorded = pass !== null && pass.name === name ? `${name}/${pass.lane}/${pass.began}` : "";
+    if (recorded !== "" && recorded !== this.#recorded)
+      this.renderRoot.querySelector(".recorded")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    this.#recorded = recorded;
   }
 
   /** Nearer, farther, or all of it. */
@@ -201,7 +211,7 @@ export class ClipTimeline extends AnimatedClipElement {
   }
 
   #recording({ parts, lane, start }: ClipPass) {
-    return html`<div class="row" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, LAYER_PARTS.length)}</div>
+    return html`<div class="row recorded" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, LAYER_PARTS.length)}</div>
       <div class="body"><div class="block recording now" style="left: ${this.#x(start)}px; width: 1px"></div></div></div>`;
   }
 
