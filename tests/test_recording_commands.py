@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import zipfile
 from pathlib import Path
 
@@ -12,8 +13,9 @@ from typer.testing import CliRunner
 
 from omote.builtin import load_cast
 from omote.cli import app
-from omote.recording_commands import read_clock, told_length
+from omote.recording_commands import opened, read_clock, told_length
 from omote.server.persistence.offline_show import open_offline_show
+from omote.server.recording.archive import write_archive
 from omote.server.recording.recording_thread import RecordingThread
 from omote.show.objects.recordings import MarkMoment
 from omote.show.objects.speech import PlaySound
@@ -126,12 +128,28 @@ def test_an_earlier_start_is_kept_told_checked_and_cut(file: Path, tmp_path: Pat
 
 def test_a_day_is_one_archive(file: Path, tmp_path: Path) -> None:
     archive = tmp_path / "day.zip"
-    said("archive", file, "-o", archive)
+    told = said("archive", file, "-o", archive)
+    assert "writes who did what in start 1 of 1 ..." in told
+    assert "packs a.omote-recording, " in told
     with zipfile.ZipFile(archive) as opened:
         assert sorted(opened.namelist()) == ["a.omote", "a.omote-recording", "log-1.csv", "main.cues.toml"]
         opened.extractall(tmp_path / "out")
     assert "all 180 states" in said("check", tmp_path / "out" / "a.omote")
     assert "there already" in said("archive", file, "-o", archive, status=1)
+
+
+def test_an_archive_that_is_stopped_leaves_nothing(file: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    folder.mkdir()
+
+    def stop(step: str) -> None:
+        if step.startswith("packs"):
+            signal.raise_signal(signal.SIGTERM)
+
+    with opened(file) as (show, recorded), pytest.raises(SystemExit, match=str(128 + signal.SIGTERM)):
+        write_archive(file, recorded, show, folder / "day.zip", stop)
+    assert [*folder.iterdir()] == []
+    assert signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
 
 
 def test_without_a_recording_that_is_said(tmp_path: Path) -> None:

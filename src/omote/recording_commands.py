@@ -254,7 +254,7 @@ def archive(
     from omote.server.recording.archive import write_archive
 
     with opened(file) as (show, recorded), exit_on_refusal():
-        names = write_archive(file, recorded, show, output)
+        names = write_archive(file, recorded, show, output, lambda step: say(escape_controls(f"{step} ...")))
     say(f"{output} has {', '.join(names)}.")
 
 

@@ -65,7 +65,8 @@ def play_channel(page: Page, name: str, value: float) -> None:
 
 def begin_clip(page: Page, name: str) -> None:
     """Begins a clip by keys, without a count."""
-    page.keyboard.press("c")
+    if page.evaluate(f"{CLIPS}.countsIn"):  # what a page before has chosen is kept
+        page.keyboard.press("c")
     page.keyboard.press("n")
     page.keyboard.type(name)
     page.keyboard.press("Enter")
@@ -76,24 +77,27 @@ def moved_most(page: Page, lane: int) -> Any:
     return page.evaluate(f"Object.keys({CLIPS}.lanes[{lane}].moves)[0]")
 
 
-def arm_alone(page: Page, part: str) -> None:
-    """Arms one part by clicks."""
-    for button in page.locator("omote-clip-transport .arm").all():
-        if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-part") == part):
-            button.click()
+def armed(page: Page) -> list[str | None]:
+    """The parts that are armed, as the page shows it."""
+    pressed = page.locator("omote-clip-transport .arm[aria-pressed=true]").all()
+    return [button.get_attribute("data-part") for button in pressed]
 
 
 def record_two_passes(page: Page, name: str) -> None:
     """The mouth by keys, then the brows by clicks."""
     begin_clip(page, name)
-    arm_alone(page, "mouth")
+    page.keyboard.press("a")
+    assert len(armed(page)) == 6
+    page.keyboard.press("3")
+    assert armed(page) == ["mouth"]
     page.keyboard.press("r")
     wait_until(page, f"{CLIPS}.pass !== null")
     play_channel(page, "jawOpen", 0.75)
     play_channel(page, "jawOpen", 0.0)
     page.keyboard.press("k")
     wait_until(page, f"{CLIPS}.lanes.length === 1")
-    arm_alone(page, "brows")
+    page.locator("omote-clip-transport .arm[data-part=brows]").click()
+    assert armed(page) == ["brows"]
     page.get_by_role("button", name="Record", exact=True).click()
     wait_until(page, f"{CLIPS}.pass?.parts.join() === 'brows'")
     play_channel(page, "browInnerUp", 0.75)
@@ -108,6 +112,11 @@ def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: Op
     assert [moved_most(page, lane) for lane in (0, 1)] == ["channel/jawOpen", "channel/browInnerUp"]
     expect(page.locator("omote-clip-timeline .block path")).not_to_have_count(0)
     expect(page.locator("[role=status].notice")).to_contain_text("lane brows, is a lane now")
+
+    page.reload()
+    wait_until(page, f"document.querySelector('omote-clips-page')?.clips.lanes.length === 2 && {CLIPS}.show.state")
+    assert page.evaluate(f"[{CLIPS}.name, {CLIPS}.lane, {CLIPS}.countsIn]") == ["line", 1, False]
+    assert armed(page) == ["brows"]
 
     # Both lanes play, from the start, and the line moves.
     page.keyboard.press("Home")
@@ -139,6 +148,10 @@ def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: Op
     page.mouse.move(box["x"] + 110, box["y"] + 60, steps=4)
     page.mouse.up()
     assert page.evaluate(f"[{CLIPS}.lane, {CLIPS}.span.from > 0]") == [0, True]
+    expect(page.get_by_role("button", name="Into the span")).to_have_count(0)  # the lanes have no part in common
+    page.get_by_role("group", name="Parts of lane 2").get_by_role("button", name="mouth").click()
+    wait_until(page, f"{CLIPS}.lanes[1].parts.includes('mouth')")
+    page.keyboard.press("ArrowUp")
     page.get_by_role("button", name="Into the span").click()
     wait_until(page, f"{CLIPS}.lanes.length === 1 && {CLIPS}.lanes[0].spans.length === 1")
     page.get_by_role("button", name="Undo", exact=True).click()
@@ -162,6 +175,17 @@ def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: Ope
     page.keyboard.press("r")
     light = desk.locator("omote-record-light button")
     expect(light).to_have_attribute("aria-label", re.compile("records brows of"))
+    desk.set_viewport_size({"width": 1440, "height": 900})
+    words = light.locator(".words")
+    expect(words).to_have_text(re.compile("^brows of .*, second · console"))
+    assert words.evaluate("words => words.scrollWidth <= words.clientWidth")
+    desk.keyboard.press("Shift+Backspace")
+    expect(page.locator("[role=status].notice")).to_contain_text("the pass goes on")
+    desk.evaluate(f"{DESK}.say('Faders and pads are cleared.', 'done', [{{ label: 'Undo', act: () => undefined }}])")
+    said = desk.locator("omote-status .notice > span").first
+    expect(said).to_contain_text("cleared")
+    assert said.evaluate("said => said.scrollHeight <= said.clientHeight && said.clientWidth > 150")
+    desk.set_viewport_size({"width": 390, "height": 844})
     red = picture(desk)
     assert np.count_nonzero((red[..., 0] > 180) & (red[..., 1] < 40)) > 1500
     light.click()
@@ -207,3 +231,24 @@ def test_nothing_is_cut_and_fingers_have_room(open_page: OpenPage) -> None:
         sized = clip_page(open_page, width=width, height=height, **fingers)
         wait_until(sized, f"{CLIPS}.lanes.length > 0")
         assert sized.evaluate(CUT) == [], (width, height)
+
+
+def test_nothing_moves_on_an_upright_tablet_when_a_pass_begins(open_page: OpenPage) -> None:
+    record_two_passes(clip_page(open_page), "fourth")
+    page = clip_page(open_page, width=768, height=1024, has_touch=True, is_mobile=True)
+    wait_until(page, f"{CLIPS}.lanes.length > 0")
+    page.evaluate(f"{CLIPS}.choose('fourth')")
+    wait_until(page, f"{CLIPS}.outline?.name === 'fourth'")
+    tops = "['omote-clip-list', 'omote-clip-timeline'].map(name => Math.round(" + (
+        "document.querySelector('omote-clips-page').shadowRoot.querySelector(name).getBoundingClientRect().top))"
+    )
+    page.evaluate(f"{CLIPS}.show.say(null)")
+    before = page.evaluate(tops)
+    page.get_by_role("button", name="Record", exact=True).click()
+    row = page.locator("omote-clip-timeline .recorded")
+    expect(row).to_be_in_viewport()
+    page.evaluate(f"{CLIPS}.show.say('A pass is recorded, and there is much to say of it.')")
+    expect(page.locator("[role=status].notice")).to_contain_text("much to say")
+    assert page.evaluate(tops) == before
+    page.get_by_role("button", name="Discard", exact=True).click()
+    expect(row).to_have_count(0)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import csv
 import io
+import signal
 import sqlite3
 import tempfile
 import zipfile
-from contextlib import closing
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
 from pathlib import Path
+from typing import NoReturn
 
 from omote.interchange.formats.cue_toml import format_cues
 from omote.server.recording.recorded_show import RecordedShow, Span
@@ -18,7 +21,13 @@ from omote.showfile.integrity import open_read_only
 from omote.showfile.recording_file import SUFFIX, RecordingFile
 
 
-def write_archive(show: Path, recorded: RecordingFile, recording: RecordedShow, archive: Path) -> list[str]:
+def write_archive(
+    show: Path,
+    recorded: RecordingFile,
+    recording: RecordedShow,
+    archive: Path,
+    tell: Callable[[str], object] = lambda _: None,
+) -> list[str]:
     """Writes the archive, whole or not at all, and returns the names of the files in it.
 
     Parameters
@@ -29,6 +38,8 @@ def write_archive(show: Path, recorded: RecordingFile, recording: RecordedShow, 
         Its recording, opened.
     archive : Path
         Where nothing lies yet.
+    tell : callable
+        Told what is done next, in a few words: a day may take minutes.
 
     Raises
     ------
@@ -40,22 +51,41 @@ def write_archive(show: Path, recorded: RecordingFile, recording: RecordedShow, 
     if archive.exists():
         raise FileExistsError(f"{archive} is there already; name another file")
     book, _ = read_book(lambda kind: inspect_show(show).stored.documents.get(kind, {}))
-    with tempfile.TemporaryDirectory(dir=archive.parent) as folder:
+    with _ending_orderly(), tempfile.TemporaryDirectory(dir=archive.parent) as folder:
         made = Path(folder)
+        tell(f"copies {show.name}")
         with closing(open_read_only(show)) as connection, closing(sqlite3.connect(made / show.name)) as copy:
             connection.backup(copy)
+        tell("copies the recording")
         recorded.copy_into(made / (show.name + SUFFIX))
         for name in book.orders:
             (made / f"{file_name(name)}.cues.toml").write_text(format_cues(book.cues_of(name)), encoding="utf-8")
-        for start in sorted({piece.start for piece in recorded.pieces()}):
+        starts = sorted({piece.start for piece in recorded.pieces()})
+        for place, start in enumerate(starts, 1):
+            tell(f"writes who did what in start {place} of {len(starts)}")
             (made / f"log-{start}.csv").write_text(write_log(recorded, recording, start), encoding="utf-8")
         names = sorted(path.name for path in made.iterdir())
         packed = made / "archive.zip"
         with zipfile.ZipFile(packed, "x", zipfile.ZIP_DEFLATED) as writer:
             for name in names:
+                tell(f"packs {name}, {(made / name).stat().st_size / 1e6:.1f} MB")
                 writer.write(made / name, name)
         packed.rename(archive)
     return names
+
+
+@contextmanager
+def _ending_orderly() -> Iterator[None]:
+    """Where SIGTERM ends the work as Ctrl-C does: what is half done is deleted."""
+
+    def end(number: int, _: object) -> NoReturn:
+        raise SystemExit(128 + number)
+
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def write_log(recorded: RecordingFile, recording: RecordedShow, start: int) -> str:

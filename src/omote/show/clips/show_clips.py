@@ -28,8 +28,8 @@ LONGEST_PASS = 600.0
 """Seconds; what is longer is cut into clips."""
 TRIM_ROUNDS = 1e-3
 """Seconds by which pages round where a clip begins and ends."""
-FEWEST_FRAMES = 2
-"""Of a pass that is kept."""
+FEWEST_FRAMES = 3
+"""Of a pass that is kept; the first stands where the pass begins too."""
 MEETING_SECONDS = 0.1
 """In which the other lanes come when a pass begins."""
 NO_WORK = wire.ClipWork([], 0)
@@ -117,8 +117,10 @@ class ShowClips:
             shown = frame.characters.get(character)
             if shown is None or frame.time - running.began > LONGEST_PASS:
                 self._over.append(character)
-            else:
-                running.builder.add(frame.time - running.began + running.offset, shown.frame)
+                continue
+            if running.builder.frames == 0:
+                running.builder.add(running.offset, shown.frame)
+            running.builder.add(frame.time - running.began + running.offset, shown.frame)
 
     def end_passes(self) -> list[Outgoing]:
         """Ends passes that are over by themselves; returns what consoles are told of it."""

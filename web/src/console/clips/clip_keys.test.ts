@@ -16,7 +16,12 @@ describe("the keys of the clip page", () => {
   it("are a transport's", () => {
     expect(clipCommandOf(press("Space"), false)).toEqual({ do: "play" });
     expect(clipCommandOf(press("KeyR"), false)).toEqual({ do: "record" });
-    expect(clipCommandOf(press("Digit3"), false)).toEqual({ do: "arm", part: "mouth" });
+    expect(clipCommandOf(press("Digit3"), false)).toEqual({ do: "arm", part: "mouth", how: "only" });
+    expect(clipCommandOf(press("Digit3", { shiftKey: true, key: "#" }), false)).toEqual({
+      do: "arm",
+      part: "mouth",
+      how: "beside",
+    });
     expect(clipCommandOf(press("Digit0"), false)).toEqual({ do: "zoom", way: 0 });
     expect(clipCommandOf(press("ArrowLeft", { altKey: true, shiftKey: true }), false)).toEqual({
       do: "shift",

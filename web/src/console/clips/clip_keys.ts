@@ -11,7 +11,8 @@ export type ClipCommand =
   | { do: "go"; end: "start" | "stop" }
   | { do: "lane"; way: -1 | 1 }
   | { do: "zoom"; way: -1 | 0 | 1 }
-  | { do: "arm"; part: (typeof LAYER_PARTS)[number] }
+  | { do: "arm"; part: (typeof LAYER_PARTS)[number]; how: "only" | "beside" }
+  | { do: "arm_all" }
   /** A key that is the page's own, but means nothing now: held down. */
   | { do: "nothing" };
 
@@ -20,6 +21,7 @@ const PLAIN: Readonly<Record<string, ClipCommand>> = {
   KeyR: { do: "record" },
   KeyK: { do: "keep" },
   Escape: { do: "discard" },
+  KeyA: { do: "arm_all" },
   KeyC: { do: "count_in" },
   KeyL: { do: "loop" },
   KeyM: { do: "mute" },
@@ -48,7 +50,9 @@ const sideways = (way: -1 | 1, shift: boolean, alt: boolean): ClipCommand =>
 export const CLIP_KEYS: readonly (readonly [string, string])[] = [
   ["Space", "Plays from the place that is marked, and stops; ends a pass that is recorded, and keeps it"],
   ["R", "Records a pass of the parts that are armed, from the place that is marked; again: ends and keeps it"],
-  ["1 – 6", `Arms a part, or not: ${LAYER_PARTS.join(", ")}`],
+  ["1 – 6", `Arms one part alone: ${LAYER_PARTS.join(", ")}`],
+  ["Shift 1 – 6", "Arms it beside the others, or not"],
+  ["A", "Arms all parts"],
   ["C", "Three seconds are counted in before a pass begins, or not"],
   ["K", "Keeps the pass that is recorded"],
   ["Esc", "Discards the pass that is recorded; else no span is selected. Out of a field"],
@@ -77,10 +81,11 @@ export function clipCommandOf(press: KeyPress, inField: boolean): ClipCommand | 
   const held = HELD[code];
   if (held !== undefined) return held(shiftKey, altKey);
   if (altKey) return null;
+  const part = LAYER_PARTS.find((_, place) => code === `Digit${place + 1}`);
+  if (part !== undefined && !repeat) return { do: "arm", part, how: shiftKey ? "beside" : "only" };
   if (key === "?") return { do: "help" };
   if (key === "/") return { do: "search" };
   if (shiftKey) return null;
-  const part = LAYER_PARTS.find((_, place) => code === `Digit${place + 1}`);
-  const command: ClipCommand | undefined = part === undefined ? PLAIN[code] : { do: "arm", part };
-  return command !== undefined && repeat ? { do: "nothing" } : (command ?? null);
+  const command = PLAIN[code];
+  return (command !== undefined || part !== undefined) && repeat ? { do: "nothing" } : (command ?? null);
 }

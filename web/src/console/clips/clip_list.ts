@@ -206,11 +206,6 @@ export class ClipName extends ClipElement {
       .replace(/\s+/g, " ");
     if (name === "") this.clips.show.say("Give the clip a name.");
     else if (this.kind === "rename") this.clips.rename(name);
-    else {
-      this.clips.choose(name);
-      if (!this.clips.names.includes(name))
-        this.clips.show.say(`Arm parts and record (R): the first pass makes ${name}.`, "done");
-    }
-    if (name !== "") this.close();
+    if (name !== "" && (this.kind === "rename" || this.clips.begin(name))) this.close();
   };
 }

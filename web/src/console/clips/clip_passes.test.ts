@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clipTime, passWords, positionOf } from "./clip_passes";
+import { clipTime, endedWords, lightWords, passWords, positionOf } from "./clip_passes";
 
 describe("passes", () => {
   it("are where the clip was when they began, and go on from there", () => {
@@ -22,5 +22,8 @@ describe("passes", () => {
       start: 0,
     };
     expect(passWords(pass, "Kaori", 6)).toBe("Anna records mouth of Kaori in line");
+    expect(lightWords(pass, "Kaori", 6)).toBe("mouth of Kaori, line · Anna");
+    expect(endedWords(pass, true, 20)).toBe("Kept in line: mouth is a lane now; another hand ended it.");
+    expect(endedWords(pass, true, 600)).toContain("it ended by itself after ten minutes");
   });
 });

@@ -1,5 +1,6 @@
 /** The passes that are recorded anywhere in the show, and what is said of them. */
 
+import { LAYER_PARTS } from "../../link/constants";
 import type { ClipPass } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
 
@@ -24,3 +25,22 @@ export const partsLabel = (parts: readonly string[], all: number): string =>
 /** Who records what of whom; `label`: of the character. */
 export const passWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
   `${by === "" ? "A program" : by} records ${partsLabel(parts, all)} of ${label} in ${name}`;
+
+/** The same where there is little room: what is last is cut first. */
+export const lightWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
+  `${partsLabel(parts, all)} of ${label}, ${name}${by === "" ? "" : ` · ${by}`}`;
+
+/** What a pass gives its clip, as people read it. */
+export const passLabel = ({ parts, lane }: Pick<ClipPass, "parts" | "lane">): string =>
+  `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
+
+/** Seconds after which a pass ends by itself, but for the moment until that is heard. */
+const LONGEST_PASS = 599;
+
+/** What is said of a pass that this page has not ended; `time`: of the show. */
+export function endedWords(pass: ClipPass, kept: boolean, time: number): string {
+  const why = time - pass.began >= LONGEST_PASS ? "it ended by itself after ten minutes" : "another hand ended it";
+  return kept
+    ? `Kept in ${pass.name}: ${passLabel(pass)} is a lane now; ${why}.`
+    : `The pass of ${passLabel(pass)} is not kept; ${why}.`;
+}

@@ -52,6 +52,11 @@ const style = css`
     overflow-wrap: anywhere;
     font-size: 15px;
   }
+  @media (pointer: coarse) {
+    input {
+      width: 80px;
+    }
+  }
   @media (max-width: 899px) {
     b {
       display: none;

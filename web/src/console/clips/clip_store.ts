@@ -12,11 +12,16 @@ import type {
   EditLane,
   LaneOutline,
   NamedSound,
+  State,
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
-import type { Change } from "../store/undo_history";
-import { clipTime, partsLabel, passesOf, positionOf } from "./clip_passes";
+import type { Change, Step } from "../store/undo_history";
+import { type Arming, armedAfter } from "./armed_parts";
+import { findCallers } from "./clip_callers";
+import { clipTime, endedWords, passesOf, passLabel, passWords, positionOf } from "./clip_passes";
+import { HandsAbove } from "./hands_above";
+import type { PageMarks } from "./page_marks";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
 export type Part = (typeof LAYER_PARTS)[number];
@@ -31,6 +36,8 @@ const RUN_OUT = 0.1;
 /** Seconds in which playing begins and ends by the keys of a transport. */
 const BLEND = 0.1;
 const AGAIN_MS = 500;
+/** Milliseconds within which presses that shift a lane follow each other. */
+const RUN_MS = 1000;
 const NO_WORK: ClipWork = { type: "clip_work", passes: [], edits: 0 };
 
 /** A span of a lane that is recorded again: `by` is the pass, which replaces it once it is over. */
@@ -62,22 +69,37 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** The sound that a new clip has from its first pass on; "" for none. */
   firstSound = "";
   #silent = "";
+  /** How many panics the character had had. */
+  #panics: number | null = null;
+  /** The presses that shift a lane now: from where, and where it was asked to be last. */
+  #shifts: { of: string; before: number; asked: number; step: Step | null } | null = null;
+  readonly #hands = new HandsAbove(this);
   #chosen = "";
   #again: SpanAgain | null = null;
   #work: ClipWork = NO_WORK;
-  #ending: "keep" | "discard" | null = null;
+  #ending: "keep" | "discard" | "again" | null = null;
+  /** The name of a lane that is chosen once it is there. */
+  #awaited: string | null = null;
+  #epoch: State["epoch"] | null = null;
   #reading = 0;
   #count = 0;
   #counts = 0;
 
-  /** `page`: a name that no other page has; `later`: calls after some milliseconds. */
+  /** `page`: a name that no other page has; `later`: calls after some milliseconds; `marks`: outlive a reload. */
   constructor(
     readonly show: ConsoleStore,
     private readonly page: string,
     private readonly request: typeof fetch = (...of) => fetch(...of),
     private readonly later: (act: () => void, milliseconds: number) => unknown = (act, wait) => setTimeout(act, wait),
+    private readonly marks: Pick<PageMarks, "read" | "write"> = { read: () => ({}), write: () => undefined },
   ) {
     super();
+    const { armed, countsIn, character } = marks.read();
+    if (armed !== undefined) this.armed = new Set(armed);
+    this.countsIn = countsIn ?? this.countsIn;
+    this.#chosen = character ?? "";
+    this.listen("view", () => this.#keepMarks());
+    this.listen("clips", () => this.#keepMarks());
     show.hear("clips", () => this.#receiveNames());
     show.hear("sounds", () => this.tell("clips"));
     show.hear("sound_dropped", ({ name, needed_by }) => {
@@ -87,9 +109,12 @@ export class ClipStore extends TopicStore<ClipTopic> {
         );
     });
     show.hear("clip_work", (work) => this.#receiveWork(work));
-    show.hear("state", () => {
+    show.hear("state", ({ epoch }) => {
+      this.#forgetDropped(epoch);
       this.#endSpan();
       this.#hearSilence();
+      this.#hands.hear();
+      this.#hearPanic();
     });
     show.listen("link", () => this.#relink());
     for (const topic of ["notice", "characters", "undo"] as const) show.listen(topic, () => this.tell(topic));
@@ -164,14 +189,29 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** Shows another clip, or a new one that its first pass makes. */
   choose(name: string): void {
     this.name = name;
+    this.#awaited = null;
     [this.lane, this.span, this.begun, this.outline] = [0, null, null, null];
     [this.cursor, this.firstSound] = [0, ""];
     this.tell("clips");
     void this.#read(true);
   }
 
+  /** Begins a clip that its first pass makes; false where there is one of this name, which is then said. */
+  begin(name: string): boolean {
+    const twin = this.names.find((each) => each.toLowerCase() === name.toLowerCase());
+    if (twin !== undefined)
+      this.show.say(`There is a clip ${twin} already: give another name.`, "attention", [
+        { label: `Open ${twin}`, act: () => this.choose(twin) },
+      ]);
+    else {
+      this.choose(name);
+      this.show.say(`Arm parts and record (R): the first pass makes ${name}.`, "done");
+    }
+    return twin === undefined;
+  }
+
   chooseCharacter(name: string): void {
-    this.#chosen = name;
+    [this.#chosen, this.#panics] = [name, null];
     this.tell("view");
   }
 
@@ -209,10 +249,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
     this.tell("view");
   }
 
-  arm(part: Part): void {
-    const armed = new Set(this.armed);
-    if (!armed.delete(part)) armed.add(part);
-    this.armed = armed;
+  arm(part: Part, how: Arming): void {
+    this.armed = armedAfter(this.armed, part, how);
+    this.tell("view");
+  }
+
+  armAll(): void {
+    this.armed = new Set(LAYER_PARTS);
     this.tell("view");
   }
 
@@ -253,8 +296,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     if (this.counting !== null) this.#cancel();
     else if (this.pass !== null) this.keep();
     else if (this.#mayRecord() && this.armed.size === 0)
-      this.show.say("No part is armed: press 1 to 6, or touch what is to be recorded.");
+      this.show.say("No part is armed: press 1 to 6 (A: all), or touch what is to be recorded.");
     else if (this.#mayRecord()) this.#countIn(() => this.#begin());
+    if (this.counting !== null) this.#hands.say(this.#hands.above(this.armed));
   }
 
   /** Records a span of the chosen lane again, from a little before it. */
@@ -274,8 +318,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     }
   }
 
-  /** Ends the pass and keeps it. */
+  /** Ends the pass and keeps it; that of somebody else only after a question. */
   keep(): void {
+    if (this.#asks()) return;
     if (this.#again !== null) this.#replaceAgain(Math.min(this.#again.to, this.position));
     else this.#end("keep");
   }
@@ -283,8 +328,20 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** Ends the pass without a trace; without one, forgets what is selected. */
   discard(): void {
     if (this.counting !== null) this.#cancel();
-    else if (this.pass !== null) this.#end("discard");
-    else this.select(null);
+    else if (this.pass === null) this.select(null);
+    else if (!this.#asks()) this.#end("discard");
+  }
+
+  /** Asks before a pass ends that another records; whether it did. */
+  #asks(): boolean {
+    const { pass } = this;
+    if (pass === null || pass.by === this.show.name) return false;
+    const says = `${passWords(pass, this.labelOf(pass.character), LAYER_PARTS.length)}: it goes on.`;
+    this.show.say(says, "attention", [
+      { label: "Keep it", act: () => this.#end("keep") },
+      { label: "Discard it", act: () => this.#end("discard") },
+    ]);
+    return true;
   }
 
   #mayRecord(): boolean {
@@ -321,6 +378,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
 
   #send(parts: readonly Part[], lane: string, start: number | null): void {
     this.#ending = null;
+    this.#hands.forget();
     this.show.say(null);
     const asked = { type: "record_clip", character: this.character, name: this.name, lane, start } as const;
     const refused = ({ reason }: { reason: string }): void => {
@@ -336,8 +394,21 @@ export class ClipStore extends TopicStore<ClipTopic> {
     if (pass === null) this.show.say("No pass is recorded.");
     else if (this.#may(this.locked)) {
       [this.#ending, this.#again] = [how, null];
-      this.show.ask({ type: "keep_pass", character: pass.character, keep: how === "keep" });
+      const ends = { type: "keep_pass", character: pass.character, keep: how === "keep" } as const;
+      if (how === "discard") this.show.ask(ends);
+      else this.#change(`Kept in ${pass.name}: ${passLabel(pass)} is a lane now.`, "pass", [ends], pass.name);
     }
+  }
+
+  /** Says that a pass goes on after a panic, with what shows then. */
+  #hearPanic(): void {
+    const [before, now] = [this.#panics, this.show.state?.characters[this.character]?.panics ?? 0];
+    this.#panics = now;
+    if (this.pass === null || before === null || before === now) return;
+    this.show.say("Panic: the pass goes on, and records the neutral face until it is played again.", "attention", [
+      { label: "Keep", act: () => this.keep() },
+      { label: "Discard", act: () => this.discard() },
+    ]);
   }
 
   /** Says why the sound of a clip that plays is not heard. */
@@ -355,38 +426,43 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #replaceAgain(to: number): void {
-    const again = this.#again;
     const { pass } = this;
-    this.#end("keep");
-    if (again === null || pass === null || to - again.from < 0.05) return; // what was recorded stays, as a lane
-    const { lane, by, from } = again;
-    const done = `Recorded again from ${clipTime(from)} to ${clipTime(to)}.`;
-    this.#change(done, "span recorded again", [
-      { type: "replace_span", name: pass.name, lane, by, start: from, stop: to },
-    ]);
+    const again = this.#again;
+    if (again === null || pass === null || to - again.from < 0.05)
+      this.#end("keep"); // it stays, as a lane
+    else if (this.#may(this.locked)) {
+      const { lane, by, from } = again;
+      [this.#ending, this.#again] = ["again", null];
+      this.#change(
+        `Recorded again from ${clipTime(from)} to ${clipTime(to)}.`,
+        "span recorded again",
+        [
+          { type: "keep_pass", character: pass.character, keep: true },
+          { type: "replace_span", name: pass.name, lane, by, start: from, stop: to },
+        ],
+        pass.name,
+      );
+    }
   }
 
   #receiveWork(work: ClipWork): void {
     const before = this.#work;
     this.#work = work;
     this.tell("work");
-    if (before.edits !== work.edits) void this.#read(false);
+    const kept = before.edits !== work.edits;
+    if (kept) void this.#read(false);
     const ended = before.passes.find((pass) => pass.character === this.character && pass.name === this.name);
     if (ended !== undefined && !work.passes.some(({ character }) => character === ended.character))
-      this.#say(ended, before.edits !== work.edits);
+      this.#hearEnd(ended, kept);
   }
 
-  /** Says what has become of a pass of this page. */
-  #say({ name, lane, parts }: ClipPass, kept: boolean): void {
+  /** A pass of the character is over; what this page ended itself has been said. */
+  #hearEnd(pass: ClipPass, kept: boolean): void {
     const how = this.#ending;
     [this.#ending, this.#again] = [null, null];
-    const what = `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
-    if (kept)
-      this.show.say(
-        `Kept in ${name}: ${what} ${how === null ? "by another hand or after ten minutes" : "is a lane now"}.`,
-        "done",
-      );
-    else if (how === "discard") this.show.say("The pass is discarded.", "done");
+    if (kept && how !== "again") this.#awaited = pass.lane; // what is new is chosen
+    if (how === "discard") this.show.say("The pass is discarded.", "done");
+    else if (how === null) this.show.say(endedWords(pass, kept, this.show.state?.time ?? 0), "done");
   }
 
   // --- what is edited ---
@@ -481,13 +557,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
     } else this.editClip(sound === "" ? { sound } : { sound, sound_at: from });
   }
 
-  editLane(index: number, change: EditOf<EditLane>, what: string): void {
+  /** `was`: what is taken back to, where that is not what was heard last. */
+  editLane(index: number, change: EditOf<EditLane>, what: string, was: EditOf<EditLane> = {}): void {
     const [lane, name] = [this.lanes[index], this.name];
     if (lane === undefined || !this.#may(this.locked)) return;
     const { to, ...rest } = change;
-    const before: EditOf<EditLane> = Object.fromEntries(
-      Object.keys(rest).map((key) => [key, lane[key as keyof typeof rest]]),
-    );
+    const heard = Object.fromEntries(Object.keys(rest).map((key) => [key, lane[key as keyof typeof rest]]));
+    const before: EditOf<EditLane> = { ...heard, ...was };
     const renamed = this.lanes.map((each, place) => (place === index && to != null ? { name: to } : each));
     const [old, now] = [laneKey(this.lanes, index), laneKey(renamed, index)];
     this.show.act(`${what}.`, {
@@ -512,11 +588,36 @@ export class ClipStore extends TopicStore<ClipTopic> {
       this.editLane(index, { muted: !lane.muted }, `Lane ${index + 1} ${lane.muted ? "plays again" : "is mute"}`);
   }
 
+  /**
+   * Moves a lane by so many seconds from where it was asked to be last, heard or not: presses that follow each other
+   * within a second are one step that can be taken back.
+   */
   shift(index: number, seconds: number): void {
     const lane = this.lanes[index];
-    const shift = Math.round(((lane?.shift ?? 0) + seconds) * 1000) / 1000;
-    if (lane !== undefined && seconds !== 0)
-      this.editLane(index, { shift }, `Lane ${index + 1} ${Math.abs(shift)} s ${shift < 0 ? "earlier" : "later"}`);
+    if (lane === undefined || seconds === 0 || !this.#may(this.locked)) return;
+    const of = `${this.name}/${laneKey(this.lanes, index)}`;
+    const run = this.#shifts?.of === of && this.show.history.next("undo") === this.#shifts.step ? this.#shifts : null;
+    const [before, asked] = run === null ? [lane.shift, lane.shift] : [run.before, run.asked];
+    if (run !== null && run.step !== null) this.show.history.skip(run.step);
+    this.#shiftTo(index, asked + seconds, before);
+    const begun = { of, before, asked: asked + seconds, step: this.show.history.next("undo") };
+    this.#shifts = begun;
+    this.later(() => {
+      if (this.#shifts === begun) this.#shifts = null;
+    }, RUN_MS);
+  }
+
+  /** Moves a lane to so many seconds. */
+  shiftTo(index: number, seconds: number): void {
+    const lane = this.lanes[index];
+    this.#shifts = null;
+    if (lane !== undefined && seconds !== lane.shift) this.#shiftTo(index, seconds, lane.shift);
+  }
+
+  #shiftTo(index: number, seconds: number, before: number): void {
+    const shift = Math.round(seconds * 1000) / 1000;
+    const what = `Lane ${index + 1} ${Math.abs(shift)} s ${shift < 0 ? "earlier" : "later"}`;
+    this.editLane(index, { shift }, what, { shift: before });
   }
 
   dropLane(index: number): void {
@@ -567,23 +668,38 @@ export class ClipStore extends TopicStore<ClipTopic> {
   drop(name = this.name): void {
     if (!this.names.includes(name) || !this.#may(this.locked)) return;
     const [undo, redo] = [[{ type: "restore_clip", name }], [{ type: "drop_clip", name }]] as const;
-    this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo });
+    if (!this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo })) return;
+    if (name === this.name) this.choose(this.names.find((each) => each !== name) ?? "");
+    void this.#sayCallers(name);
   }
 
-  /** A change that no message takes back: the clip as it was is laid aside, and comes again in its place. */
-  #change(done: string, what: string, changes: readonly Change[]): void {
-    const { name } = this;
+  /** Says which cues call a clip that was deleted. */
+  async #sayCallers(name: string): Promise<void> {
+    const cues = await findCallers(name, Object.keys(this.show.state?.cues?.lists ?? {}), this.request);
+    if (cues.length === 0) return;
+    const says = `${name} is deleted, and ${cues.join(", ")} ${cues.length === 1 ? "calls" : "call"} it: nothing plays there now.`;
+    this.show.say(says, "attention", [{ label: "Undo", act: () => this.show.undo() }]);
+  }
+
+  /**
+   * A change that no message takes back, the end of a pass too: the clip is laid aside as it is before, and after it
+   * once that is taken back. A clip that the change makes is dropped and restored.
+   */
+  #change(done: string, what: string, changes: readonly Change[], name = this.name): boolean {
     this.#count += 1;
-    const aside = `before ${this.page.slice(0, 8)} ${this.#count}`;
-    this.show.act(done, {
+    const [before, after] = ["before", "after"].map((when) => `${when} ${this.page.slice(0, 8)} ${this.#count}`);
+    const made = !this.names.includes(name);
+    const step: Step = {
       what: `${what} of ${name}`,
-      undo: [
-        { type: "drop_clip", name },
-        { type: "restore_clip", name: aside },
-        { type: "rename_clip", name: aside, to: name },
-      ],
-      redo: [{ type: "copy_clip", name, to: aside }, { type: "drop_clip", name: aside }, ...changes],
-    });
+      undo: made ? [{ type: "drop_clip", name }] : [...layAside(name, after ?? ""), ...bringBack(name, before ?? "")],
+      redo: made
+        ? [{ type: "restore_clip", name }]
+        : [...layAside(name, before ?? ""), ...bringBack(name, after ?? "")],
+    };
+    const first: Step = { ...step, redo: [...(made ? [] : layAside(name, before ?? "")), ...changes] };
+    if (!this.show.takeStep(first, "redo", () => this.show.history.skip(step))) return false;
+    this.show.offerUndo(done, step);
+    return true;
   }
 
   // --- within ---
@@ -594,9 +710,27 @@ export class ClipStore extends TopicStore<ClipTopic> {
     return barred === "";
   }
 
+  /** A server that was started anew has nothing that was laid aside before: what needs it is not taken back. */
+  #forgetDropped(epoch: State["epoch"]): void {
+    const [before, { history }] = [this.#epoch, this.show];
+    this.#epoch = epoch;
+    if (before === null || before === epoch) return;
+    for (const step of [...history.steps.undo, ...history.steps.redo])
+      if ([...step.undo, ...step.redo].some(({ type }) => type === "restore_clip")) history.skip(step);
+  }
+
+  #keepMarks(): void {
+    const { name: clip, lane, countsIn } = this;
+    if (clip !== "") this.marks.write({ clip, lane, armed: [...this.armed], countsIn, character: this.#chosen });
+  }
+
   #receiveNames(): void {
     const [first] = this.names;
-    if (this.name === "" && first !== undefined) this.choose(first);
+    const { clip = "", lane = 0 } = this.name === "" ? this.marks.read() : {};
+    if (this.names.includes(clip)) {
+      this.choose(clip);
+      this.lane = lane;
+    } else if (this.name === "" && first !== undefined) this.choose(first);
     else void this.#read(false);
     this.tell("clips");
   }
@@ -625,10 +759,27 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #show(outline: ClipOutline | null, fromStart: boolean): void {
-    const more = outline !== null && this.outline !== null && outline.lanes.length > this.outline.lanes.length;
-    if (outline !== null && (fromStart || this.outline === null)) this.cursor = outline.start;
     this.outline = outline;
-    this.lane = more ? outline.lanes.length - 1 : Math.max(0, Math.min(this.lane, this.lanes.length - 1));
+    if (outline !== null) {
+      const { start, stop, lanes } = outline;
+      this.cursor = fromStart ? start : Math.max(start, Math.min(stop, this.cursor));
+      const awaited = this.#awaited === null ? -1 : lanes.findLastIndex(({ name }) => name === this.#awaited);
+      if (awaited !== -1) [this.lane, this.#awaited] = [awaited, null];
+      this.lane = Math.max(0, Math.min(this.lane, lanes.length - 1));
+    } // one that is taken back is gone for a moment, and its lane stays chosen
     this.tell("clips");
   }
 }
+
+/** Keeps a clip as it is under another name, for `bringBack`. */
+const layAside = (name: string, aside: string): readonly Change[] => [
+  { type: "copy_clip", name, to: aside },
+  { type: "drop_clip", name: aside },
+];
+
+/** Puts what was laid aside in the place of a clip. */
+const bringBack = (name: string, aside: string): readonly Change[] => [
+  { type: "drop_clip", name },
+  { type: "restore_clip", name: aside },
+  { type: "rename_clip", name: aside, to: name },
+];

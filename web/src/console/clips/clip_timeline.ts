@@ -40,6 +40,7 @@ export class ClipTimeline extends AnimatedClipElement {
   /** The sound of the clip as it is drawn, once it is decoded. */
   @state() private wave: Waveform | null = null;
   #fetched = "";
+  #recorded = "";
   #shown: Span = { from: 0, to: 10 };
   #pixels = 1;
 
@@ -51,6 +52,15 @@ export class ClipTimeline extends AnimatedClipElement {
     new ResizeObserver(() => {
       this.wide = this.pane.clientWidth;
     }).observe(this.pane);
+  }
+
+  /** The lane that is recorded comes in sight. */
+  override updated(): void {
+    const { pass, name } = this.clips;
+    const recorded = pass !== null && pass.name === name ? `${name}/${pass.lane}/${pass.began}` : "";
+    if (recorded !== "" && recorded !== this.#recorded)
+      this.renderRoot.querySelector(".recorded")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    this.#recorded = recorded;
   }
 
   /** Nearer, farther, or all of it. */
@@ -155,23 +165,31 @@ export class ClipTimeline extends AnimatedClipElement {
     const { clips } = this;
     const barred = clips.locked !== "";
     const called = `lane ${place + 1}`;
-    const instead = clips.span !== null && place !== clips.lane;
+    const shared = lane.parts.some((part) => clips.chosenLane?.parts.includes(part));
+    const instead = clips.span !== null && place !== clips.lane && shared;
     return html`<span class="number">${place + 1}</span><input class="name" aria-label="Name of ${called}" maxlength="40" ?disabled=${barred} .value=${lane.name} autocomplete="off"
         @change=${(event: Event) => clips.editLane(place, { to: textOf(event).trim() }, `Lane ${place + 1} is named`)}>
       <button class="mute" aria-label="Mute ${called}" title="Mute (M)" aria-pressed=${lane.muted} ?disabled=${barred} @click=${() => clips.toggleMute(place)}>M</button>
       <button class="more" aria-label="Delete ${called}" title="Delete it; Undo brings it back" ?disabled=${barred || clips.lanes.length === 1} @click=${() => clips.dropLane(place)}>✕</button>
       ${instead ? html`<button class="instead" title="It shows in the chosen lane within the span, and is no lane of its own any more" ?disabled=${barred} @pointerdown=${(event: Event) => event.stopPropagation()} @click=${() => clips.replaceBy(place)} @focus=${(event: Event) => event.stopPropagation()} @focusin=${(event: Event) => event.stopPropagation()}>Into the span</button>` : nothing}
       <div class="line more"><label>Weight<input type="range" min="0" max="1" step="0.01" aria-label="Weight of ${called}" title=${lane.weight} ?disabled=${barred} .value=${String(lane.weight)}
-          @change=${(event: Event) => clips.editLane(place, { weight: Number(textOf(event)) }, `Lane ${place + 1} weighs ${textOf(event)}`)}></label>
+          @change=${(event: Event) => this.#weigh(event, place)}></label>
         <label>Shift<button aria-label="${called} 10 ms earlier" title="10 ms earlier (Alt ←)" ?disabled=${barred} @click=${() => clips.shift(place, -0.01)}>◂</button><input class="seconds" inputmode="decimal" aria-label="Shift of ${called}, seconds" ?disabled=${barred} .value=${String(Math.round(lane.shift * 1000) / 1000)}
           @change=${(event: Event) => this.#shiftTo(event, lane, place)}><button aria-label="${called} 10 ms later" title="10 ms later (Alt →)" ?disabled=${barred} @click=${() => clips.shift(place, 0.01)}>▸</button></label></div>
       <div class="line parts more" role="group" aria-label="Parts of ${called}">${LAYER_PARTS.map((part) => html`<button title="It plays the ${part}" aria-pressed=${lane.parts.includes(part)} ?disabled=${barred} @click=${() => clips.togglePart(place, part)}>${part}</button>`)}</div>`;
   }
 
+  /** A slider that a pointer has moved leaves the arrow keys to the page. */
+  #weigh(event: Event, place: number): void {
+    const slider = event.target as HTMLInputElement;
+    this.clips.editLane(place, { weight: Number(slider.value) }, `Lane ${place + 1} weighs ${slider.value}`);
+    if (!slider.matches(":focus-visible")) slider.blur();
+  }
+
   #shiftTo(event: Event, lane: LaneOutline, place: number): void {
     const seconds = numberIn(textOf(event));
     if (seconds === null) (event.target as HTMLInputElement).value = String(lane.shift);
-    else this.clips.shift(place, seconds - lane.shift);
+    else this.clips.shiftTo(place, seconds);
   }
 
   #block(lane: LaneOutline, place: number) {
@@ -193,7 +211,7 @@ export class ClipTimeline extends AnimatedClipElement {
   }
 
   #recording({ parts, lane, start }: ClipPass) {
-    return html`<div class="row" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, LAYER_PARTS.length)}</div>
+    return html`<div class="row recorded" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, LAYER_PARTS.length)}</div>
       <div class="body"><div class="block recording now" style="left: ${this.#x(start)}px; width: 1px"></div></div></div>`;
   }
 
@@ -281,7 +299,7 @@ export class ClipTimeline extends AnimatedClipElement {
 
   #drop({ of, seconds }: Dragged): void {
     const { outline } = this.clips;
-    if (typeof of === "number") this.clips.shift(of, seconds);
+    if (typeof of === "number") this.clips.shiftTo(of, (this.clips.lanes[of]?.shift ?? 0) + seconds);
     else if (outline !== null && seconds !== 0) this.#trimTo(of, outline[of] + seconds);
   }
 

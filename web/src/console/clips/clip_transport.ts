@@ -5,6 +5,7 @@ import { customElement, query } from "lit/decorators.js";
 import { LAYER_PARTS } from "../../link/constants";
 import { base, flow } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
+import { armingOf } from "./armed_parts";
 import { AnimatedClipElement, clipControls } from "./clip_element";
 import { clipTime } from "./clip_passes";
 import type { ClipTopic } from "./clip_store";
@@ -52,7 +53,7 @@ const style = css`
     background: #8e2318;
     border-color: #ff6a5a;
   }
-  .arm small {
+  .arms small {
     color: inherit;
     opacity: 0.7;
   }
@@ -77,7 +78,7 @@ const style = css`
     }
     .arms {
       display: grid;
-      grid-template-columns: repeat(6, minmax(0, 1fr));
+      grid-template-columns: repeat(7, minmax(0, 1fr));
       flex: 1 0 100%;
     }
     .arms .word,
@@ -125,7 +126,8 @@ export class ClipTransport extends AnimatedClipElement {
   #arms() {
     const { clips } = this;
     return html`<div class="group arms" role="group" aria-label="Parts that are recorded"><span class="word">Arm</span>
-      ${LAYER_PARTS.map((part, place) => html`<button class="arm" data-part=${part} title="Record the ${part} (${place + 1})" aria-pressed=${clips.armed.has(part)} @click=${() => clips.arm(part)}>${part} <small>${place + 1}</small></button>`)}
+      ${LAYER_PARTS.map((part, place) => html`<button class="arm" data-part=${part} title="Record the ${part} alone (${place + 1}); with Shift beside the others, or not" aria-pressed=${clips.armed.has(part)} @click=${(event: MouseEvent) => clips.arm(part, armingOf(event, matchMedia("(pointer: coarse)").matches))}>${part} <small>${place + 1}</small></button>`)}
+      <button title="Record all parts (A)" aria-label="All parts" @click=${() => clips.armAll()}>all <small>A</small></button>
     </div>`;
   }
 

@@ -8,13 +8,13 @@ import { base, ellipsis } from "../../ui/theme";
 import { ConsoleDialog, sheet } from "../controls/console_dialog";
 import { AnimatedElement, type ConsoleContext } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
-import { clipTime, passesOf, passWords, positionOf } from "./clip_passes";
+import { clipTime, lightWords, passesOf, passWords, positionOf } from "./clip_passes";
 
 const style = css`
   :host {
     flex: 0 1 auto;
     min-width: 92px;
-    max-width: 430px;
+    max-width: 520px;
   }
   :host([none]) {
     display: none;
@@ -53,6 +53,7 @@ const style = css`
   }
   .words {
     ${ellipsis}
+    display: var(--light-words, block);
     font-weight: 600;
   }
   @keyframes blink {
@@ -114,7 +115,7 @@ export class RecordLight extends AnimatedElement<LightContext> {
     }
     const words = passes.map((pass) => passWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)).join("; ");
     return html`<button title="${words}: press to end it" aria-label="Recording: ${words}" aria-haspopup="dialog" @click=${() => this.#open(true)}>
-        <span class="lamp" aria-hidden="true"></span><span class="word">REC</span><time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${words}</span></button>
+        <span class="lamp" aria-hidden="true"></span><span class="word">REC</span><time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${passes.map((pass) => lightWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)).join("; ")}</span></button>
       <span hidden role="status">Recording: ${words}</span>
       ${this.opened ? html`<omote-passes .context=${this.context} @close=${() => this.#open(false)}></omote-passes>` : nothing}`;
   }

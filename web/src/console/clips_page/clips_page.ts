@@ -98,7 +98,7 @@ export class ClipsPage extends ClipElement {
       if (!event.repeat) this.clips.show[step]();
       return;
     }
-    if (isFader(event) && MOVES.has(event.code)) return;
+    if (isFader(event) && MOVES.has(event.code) && !event.altKey) return;
     const command = clipCommandOf(event, typing);
     if (command === null) return;
     event.preventDefault();
@@ -119,7 +119,8 @@ export class ClipsPage extends ClipElement {
     else if (command.do === "discard") clips.discard();
     else if (command.do === "again") clips.recordAgain();
     else if (command.do === "count_in") clips.setCountIn(!clips.countsIn);
-    else if (command.do === "arm") clips.arm(command.part);
+    else if (command.do === "arm") clips.arm(command.part, command.how);
+    else if (command.do === "arm_all") clips.armAll();
     else if (command.do === "mark") clips.mark(command.end);
     else if (command.do === "step") clips.seek(clips.cursor + command.seconds);
     else if (command.do === "go") clips.seek(clips.outline?.[command.end] ?? 0);

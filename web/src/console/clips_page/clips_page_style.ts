@@ -118,12 +118,17 @@ export const clipsPageStyle = css`
       gap: 4px;
       padding: 4px;
     }
+    /* it has its room while it is empty too: nothing moves under a finger when a pass begins or ends */
     .notice {
       order: 1;
       flex: 1 0 100%;
+      height: 34px;
     }
-    .notice:empty {
-      display: none;
+  }
+  @media (min-width: 600px) and (max-width: 899px) {
+    omote-record-light {
+      flex: 1 1 0;
+      min-width: 120px;
     }
   }
   @media (max-width: 599px) {

@@ -7,6 +7,7 @@ import { randomId } from "../../ui/browser_storage";
 import { FramePainter } from "../../ui/frame_painter";
 import { WakeLock } from "../../ui/wake_lock";
 import { ClipStore } from "../clips/clip_store";
+import { PageMarks } from "../clips/page_marks";
 import { ConsoleName } from "../console_name";
 import { seatToken } from "../leases/seat_token";
 import { ConsoleStore } from "../store/console_store";
@@ -40,7 +41,11 @@ function start(): void {
     PAGE,
   );
   const page = new ClipsPage();
-  page.clips = new ClipStore(store, PAGE);
+  const marks = new PageMarks(
+    () => localStorage,
+    () => sessionStorage,
+  );
+  page.clips = new ClipStore(store, PAGE, undefined, undefined, marks);
   page.painter = new FramePainter();
   const link = connect(store);
   page.painter.add({ paint: () => store.flush() });

@@ -99,7 +99,20 @@ export const style = css`
   :host([asks]) slot[name="seat"] {
     --words: none;
   }
-  /* the light has the room of what is to be watched */
+  /* the light has the room of what is to be watched, and gives its own to what is to be answered */
+  :host([records]) .item.stages .word,
+  :host([records]) .item.consoles {
+    display: none;
+  }
+  :host([asks]) omote-record-light {
+    --light-words: none;
+    flex: none;
+  }
+  @media (max-width: 1599px) {
+    :host([records]) :is(.mark, omote-show-clock, .bus, .moments) {
+      display: none; /* they stand in the set-up too, and the light has a clock */
+    }
+  }
   @media (max-width: 1100px) {
     :host([records]) :is(omote-show-clock, .item) {
       display: none;

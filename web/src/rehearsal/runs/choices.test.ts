@@ -35,4 +35,10 @@ it("holds the newest against the one before, else against what is kept, or anoth
     [0, 1, ""],
   ]);
   expect(chosen(document([]))).toEqual([undefined, undefined]);
+  const twice = document([1], ["first", "second"]);
+  twice.kept[1] = { ...span(1, "second"), first: 5 };
+  expect(chosen(twice)).toEqual([
+    [0, 1, "first"],
+    [0, 1, "second"],
+  ]);
 });

@@ -11,15 +11,22 @@ export interface Choices {
   b: number;
 }
 
-/** B is the newest; A what it is held against: the newest of the other file, else what is kept or was before. */
+/**
+ * B is the newest start; A what it is held against: the newest of the other file, else the start before, else what is
+ * kept of another one. Of one start alone two that are kept are compared: the whole has each in it.
+ */
 export function choicesOf(documents: readonly RecordingsDocument[]): Choices {
   const runs = documents.flatMap(runsOf);
   const newest = (file: number, but = -1): number =>
     runs.findIndex((run, place) => run.file === file && run.name === "" && place !== but);
   const b = Math.max(newest(0), 0);
   const other = documents.length > 1 ? newest(1) : newest(0, b);
-  const kept = runs.findIndex(({ name }) => name !== "");
-  return { runs, a: other >= 0 ? other : Math.max(kept, 0), b };
+  if (other >= 0) return { runs, a: other, b };
+  const kept = runs.flatMap(({ name }, place) => (name === "" ? [] : [place]));
+  const elsewhere = kept.find((place) => runs[place]?.start !== runs[b]?.start);
+  const [one, two] = [...kept].sort((first, second) => (runs[second]?.first ?? 0) - (runs[first]?.first ?? 0));
+  if (elsewhere !== undefined) return { runs, a: elsewhere, b };
+  return one === undefined || two === undefined ? { runs, a: one ?? 0, b } : { runs, a: two, b: one };
 }
 
 /** A run in words: `evening · Mon 30 Nov, 20:15 · 1:32:10`. */

@@ -4,9 +4,8 @@ import { css, html, LitElement, unsafeCSS } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import uPlot from "uplot";
 import plotStyle from "uplot/dist/uPlot.min.css?inline";
-import { sinceOf } from "../../ui/show_times";
 import { base } from "../../ui/theme";
-import { pinch, type View, zoomAt } from "./view";
+import { axisTime, pinch, type View, zoomAt } from "./view";
 
 /** What a chart draws: values on the grid of the page; `words`: a name to each, where they have one. */
 export interface Drawn {
@@ -132,7 +131,7 @@ export class RunChart extends LitElement {
         legend: { show: false },
         scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low, high, unit) } },
         axes: [
-          { ...axis, size: 26, values: (_, splits) => splits.map((split) => sinceOf(split).replace(/^0:/, "")) },
+          { ...axis, size: 26, values: (_, splits) => splits.map(axisTime) },
           { ...axis, size: 42, space: 24, values: (_, splits) => splits.map((split) => `${+split.toFixed(2)}${unit}`) },
         ],
         series: [

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { pan, pinch, within, zoomAt } from "./view";
+import { axisTime, pan, pinch, within, zoomAt } from "./view";
 
 const WHOLE = { min: -10, max: 90 };
 
@@ -25,4 +25,16 @@ it("keeps the times under the fingers", () => {
   const view = pinch({ min: 0, max: 40 }, [0.25, 0.75], [0.25, 0.5], { min: -1000, max: 1000 });
   expect(view.max - view.min).toBeCloseTo(80);
   expect(view.min + 0.375 * (view.max - view.min)).toBeCloseTo(20); // the middle of both
+});
+
+it("writes times at the axis before the beginning of A too, each its own", () => {
+  expect([-12, -0.5, -0.01, 0, 0.5, 249, 3661].map(axisTime)).toEqual([
+    "−00:12",
+    "−00:00.5",
+    "00:00",
+    "00:00",
+    "00:00.5",
+    "04:09",
+    "1:01:01",
+  ]);
 });

@@ -1,5 +1,7 @@
 /** What part of the time charts show: zoomed and moved, within the whole. Seconds. */
 
+import { sinceOf } from "../../ui/show_times";
+
 export interface View {
   min: number;
   max: number;
@@ -41,4 +43,11 @@ export function pinch(view: View, before: readonly number[], now: readonly numbe
   const at = view.min + ((one + other) / 2) * length;
   const place = (moved + apart) / 2;
   return within({ min: at - place * longer, max: at + (1 - place) * longer }, whole);
+}
+
+/** A time at the axis: `04:09`, `−00:12` before the beginning of A, tenths where there are some. */
+export function axisTime(seconds: number): string {
+  const tenths = Math.round(Math.abs(seconds) * 10);
+  const text = sinceOf(Math.floor(tenths / 10)).replace(/^0:/, "");
+  return `${seconds < 0 && tenths > 0 ? "−" : ""}${text}${tenths % 10 === 0 ? "" : `.${tenths % 10}`}`;
 }

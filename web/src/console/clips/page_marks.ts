@@ -1,0 +1,43 @@
+/** What a page of clips remembers through a reload: the clip and lane that are chosen, what is armed, the count. */
+
+import { LAYER_PARTS } from "../../link/constants";
+import { type BrowserStorage, keep, readKept, readRecord } from "../../ui/browser_storage";
+
+type Part = (typeof LAYER_PARTS)[number];
+
+export interface Marks {
+  readonly clip: string;
+  readonly lane: number;
+  readonly armed: readonly Part[];
+  readonly countsIn: boolean;
+  readonly character: string;
+}
+
+const KEY = "omote clips";
+
+/** The marks of this tab; another tab of the same browser begins with those that were made last in any. */
+export class PageMarks {
+  /** `browser`: what all tabs share; `tab`: what this one keeps through a reload. */
+  constructor(
+    private readonly browser: BrowserStorage,
+    private readonly tab: BrowserStorage,
+  ) {}
+
+  /** What was kept, as far as it can be read. */
+  read(): Partial<Marks> {
+    const { clip, lane, armed, countsIn, character } = readRecord(
+      readKept(this.tab, KEY) || readKept(this.browser, KEY),
+    );
+    return {
+      ...(typeof clip === "string" ? { clip } : {}),
+      ...(Number.isSafeInteger(lane) && (lane as number) >= 0 ? { lane: lane as number } : {}),
+      ...(Array.isArray(armed) ? { armed: LAYER_PARTS.filter((part) => armed.includes(part)) } : {}),
+      ...(typeof countsIn === "boolean" ? { countsIn } : {}),
+      ...(typeof character === "string" ? { character } : {}),
+    };
+  }
+
+  write(marks: Marks): void {
+    for (const storage of [this.tab, this.browser]) keep(storage, KEY, JSON.stringify(marks));
+  }
+}
