@@ -112,7 +112,7 @@ def test_gestures_and_stops_are_messages() -> None:
         (TypeError, "queue", {"queue": "yes"}),
         (TypeError, r"marks is the text 'Hello you'; give a list, such as \['Hello', 'you'\]", {"marks": "Hello you"}),
         (TypeError, "a time \\(seconds\\) is '1'", {"times": ["1"]}),
-        (ValueError, r"no key of send_sound; for a file give pathlib.Path\('hello.wav'\)", {"sound": "hello.wav"}),
+        (ValueError, r"nor the name of a sound; for a file give pathlib.Path\('hello.wav'\)", {"sound": "hello.wav"}),
         (TypeError, "the sound is a int; give the bytes of a file, or its Path", {"sound": 3}),
         (FileNotFoundError, "nosuch.wav", {"sound": Path("nosuch.wav")}),
         (ValueError, "a voice came with marks or a sound", {"voice": "de", "sound": b"RIFF"}),

@@ -50,7 +50,8 @@ NO_CALLS = {
         "set_clips",
         "clips_playing",
         "resume_clips",
-    ),  # an engine is given clips, a program calls those of the show by name
+        "play_sound",
+    ),  # an engine is given clips and the seconds of sounds, a program calls those of the show by name
 }
 """What is the server's, and the scene's."""
 

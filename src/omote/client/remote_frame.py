@@ -47,8 +47,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         spoken=character.spoken,
         motion=None if character.motion is None else motion_settings(character.motion),
         clips=tuple(
-            ClipStatus(clip.name, clip.elapsed, clip.seconds, clip.share, clip.loop, tuple(clip.missing))
-            for clip in character.clips
+            ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
     )
 
