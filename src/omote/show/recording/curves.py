@@ -21,6 +21,8 @@ from omote.show.objects.state import Place
 
 CURVE_RATE = 10
 """Samples a second."""
+TIME_STEP = 1e-3
+"""Seconds to which times are rounded: what was at an end of a stretch may lie so far beside it."""
 PER_WEIGHT = 1000.0
 """Steps of a curve as it is kept; none leaves the 32,767 that there are."""
 PER_DEGREE = 10.0
@@ -128,7 +130,7 @@ class Curves:
 
     def between(self, first: float, last: float) -> Curves:
         """What lies between two times (first, last), both with it."""
-        inside = (self.times >= first) & (self.times <= last)
+        inside = (self.times >= first - TIME_STEP) & (self.times <= last + TIME_STEP)
         return Curves(self.times[inside], {name: table[inside] for name, table in self.values.items()}, self.names)
 
 
@@ -276,7 +278,7 @@ class _Packed(msgspec.Struct, frozen=True, array_like=True):
 def pack_curves(curves: Curves) -> bytes:
     """The bytes of curves, rounded to a thousandth of a weight, a tenth of a degree and a centimetre."""
     first = float(curves.times[0]) if len(curves.times) else 0.0
-    steps = np.diff(np.rint((curves.times - first) * 1000.0), prepend=0.0).astype("<u4")
+    steps = np.diff(np.rint((curves.times - first) / TIME_STEP), prepend=0.0).astype("<u4")
     tables = {name: _pack_table(table) for name, table in curves.values.items()}
     return zlib.compress(msgspec.msgpack.encode(_Packed(first, steps.tobytes(), list(curves.names), tables)), 9)
 
@@ -289,7 +291,7 @@ def unpack_curves(data: bytes) -> Curves:
         if not unpacker.eof:
             raise ValueError("they end too early, or are too large")
         packed = msgspec.msgpack.decode(whole, type=_Packed)
-        times = packed.first + np.cumsum(np.frombuffer(packed.times, "<u4").astype(np.float64)) / 1000.0
+        times = packed.first + np.cumsum(np.frombuffer(packed.times, "<u4").astype(np.float64)) * TIME_STEP
         values = {name: _unpack_table(data, len(times)) for name, data in packed.tables.items()}
     except (zlib.error, msgspec.MsgspecError, ValueError) as error:
         raise ValueError("the curves of a minute of the recording are damaged") from error
