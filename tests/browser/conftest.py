@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -80,6 +81,17 @@ expect.set_options(timeout=1000 * PATIENCE)
 def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The address of a show with a file of its own."""
     yield from playing(tmp_path_factory.mktemp("show") / "test.omote")
+
+
+def replaying(file: Path) -> Iterator[str]:
+    """The address of a replay of what was recorded beside a show file, until it is closed."""
+    program = "from omote.cli import main; main()"
+    command = [sys.executable, "-c", program, "replay", str(file), "--no-open", "--port", "0"]
+    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        told = next(line for line in process.stderr if "http://" in line)
+        yield re.findall(r"http://\S+?(?=/replay)", told)[0]
+        process.terminate()
 
 
 def playing(file: Path, *options: str) -> Iterator[str]:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import subprocess
-import sys
 import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -24,7 +21,7 @@ from omote.show.session import ShowSession
 from omote.show.wire import encode
 from omote.showfile.recording_file import recording_path
 from omote.showfile.show_file import open_show
-from tests.browser.conftest import ROOT, playing
+from tests.browser.conftest import playing, replaying
 from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
@@ -63,13 +60,7 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     open_show(path).close()
     for go_at in NIGHTS:
         play_night(path, load_cast(), go_at)
-    program = "from omote.cli import main; main()"
-    command = [sys.executable, "-c", program, "replay", str(path), "--no-open", "--port", "0"]
-    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
-        assert process.stderr is not None
-        told = next(line for line in process.stderr if "http://" in line)
-        yield re.findall(r"http://\S+?(?=/replay)", told)[0]
-        process.terminate()
+    yield from replaying(path)
 
 
 def drawn(page: Page, colour: tuple[int, int, int]) -> int:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -13,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 import omote
-from tests.browser.conftest import ROOT, playing
+from tests.browser.conftest import playing, replaying
 from tests.browser.pictures import picture
 from tests.browser.waiting import wait_until
 
@@ -48,13 +45,7 @@ def _played(path: Path) -> Iterator[str]:
 @pytest.fixture(scope="module")
 def show(recorded: Path) -> Iterator[str]:
     """The address of its replay."""
-    program = "from omote.cli import main; main()"
-    command = [sys.executable, "-c", program, "replay", str(recorded), "--no-open", "--port", "0"]
-    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
-        assert process.stderr is not None
-        told = next(line for line in process.stderr if "http://" in line)
-        yield re.findall(r"http://\S+?(?=/replay)", told)[0]
-        process.terminate()
+    yield from replaying(recorded)
 
 
 def test_what_was_on_air_shows_again_where_the_line_is_pressed(open_page: OpenPage) -> None:
