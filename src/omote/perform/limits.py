@@ -65,6 +65,13 @@ def check_known(name: object, names: Iterable[Known], what: str) -> Known:
     raise ValueError(explain_unknown(name, choices, what))
 
 
+def check_free(name: str, names: Iterable[str], what: str) -> None:
+    """Raises ValueError where one of `names` is `name`, in any case of its letters. what: what messages call it."""
+    twin = next((each for each in names if each.casefold() == name.casefold()), None)
+    if twin is not None:
+        raise ValueError(f"there is a {what} {twin!r} already; give another name")
+
+
 def _format(value: Real) -> str:
     try:
         number = float(value)

@@ -14,7 +14,7 @@ from omote.perform.clips.cut_clip import CurveBuilder
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
-from omote.perform.limits import check_known, check_within
+from omote.perform.limits import check_free, check_known, check_within
 from omote.perform.scene.clip_goals import SETTING
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
@@ -344,9 +344,7 @@ def check_clip_name(name: str, others: Iterable[str]) -> str:
         raise ValueError(
             f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters, no {SETTING} first"
         )
-    twin = next((each for each in others if each.casefold() == text.casefold()), None)
-    if twin is not None:
-        raise ValueError(f"there is a clip {twin!r} already; give another name")
+    check_free(text, others, "clip")
     return text
 
 

@@ -9,7 +9,7 @@ import msgspec
 from msgspec import structs
 
 from omote.perform.clips.clip import Clip
-from omote.perform.limits import check_known
+from omote.perform.limits import check_free, check_known
 from omote.show.cues.cue_book import CueBook
 from omote.show.objects.speech import (
     LONGEST_SOUND_NAME,
@@ -68,7 +68,7 @@ class NamedSounds:
             raise ValueError(f"there is a sound {text!r} already; give another name, or replace it")
         others = {each: sound for each, sound in self.sounds.items() if each != text}
         if text not in self.sounds:
-            check_free(text, others)
+            check_free(text, others, "sound")
         if len(others) >= MOST_NAMED_SOUNDS:
             raise ValueError(f"there are {len(others)} sounds, which is as many as a show keeps; delete one")
         used = sum(sound.size for sound in others.values())
@@ -95,7 +95,7 @@ class NamedSounds:
         sound = self.sounds[check_known(name, self.sounds, "sound")]
         text = check_sound_name(to)
         others = {each: other for each, other in self.sounds.items() if each != name}
-        check_free(text, others)
+        check_free(text, others, "sound")
         former = tuple(dict.fromkeys(each for each in (*sound.former, name) if each != text))
         self._set({**others, text: structs.replace(sound, former=former)})
 
@@ -145,13 +145,6 @@ def check_sound_name(name: str) -> str:
             "hexadecimal digits"
         )
     return text
-
-
-def check_free(name: str, others: Iterable[str]) -> None:
-    """Raises ValueError where another sound has a name, in any case. others: the names of the others."""
-    twin = next((each for each in others if each.casefold() == name.casefold()), None)
-    if twin is not None:
-        raise ValueError(f"there is a sound {twin!r} already; give another name")
 
 
 def read_sounds(documents: Mapping[str, bytes], contents: Collection[str]) -> tuple[dict[str, StoredSound], list[str]]:
