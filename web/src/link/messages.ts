@@ -502,13 +502,17 @@ export type CueName = { identity: string; number: string; label: string; note: s
 /** A move that waits: the number of its cue, its part, and in how many seconds it is called. */
 export type CueWait = { number: string; part: string; seconds: number };
 
-/** A part that a cue moves: the number of the cue ("" where it goes back), and in how many seconds it arrives. */
-export type CueMotion = { number: string; part: string; seconds: number };
+/**
+ * A part that is moved: the number of the cue that moves it, or the `act` that does, "Back" or "Assert", and in how
+ * many seconds it arrives.
+ */
+export type CueMotion = { number: string; part: string; seconds: number; act: string };
 
 /**
  * How far a list is. `current`: the cue that was called last; `standby`: the one that GO calls; `waits`, `moving`:
- * the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since the last
- * GO, None before the first, `by` whom, "" where it followed by itself.
+ * the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since
+ * somebody pressed last, None before that; `pressed`: what that was ("GO 12", "Back", "Assert" or "Go to 12"), `by`
+ * whom.
  */
 export type CueListStatus = {
   current: CueName | null;
@@ -519,6 +523,7 @@ export type CueListStatus = {
   follows_in: number;
   since: number | null;
   by: string;
+  pressed: string;
 };
 
 /**

@@ -450,17 +450,20 @@ class CueWait(msgspec.Struct, frozen=True):
 
 
 class CueMotion(msgspec.Struct, frozen=True):
-    """A part that a cue moves: the number of the cue ("" where it goes back), and in how many seconds it arrives."""
+    """A part that is moved: the number of the cue that moves it, or the `act` that does, "Back" or "Assert", and in how
+    many seconds it arrives."""
 
     number: str
     part: Part
     seconds: float
+    act: str = ""
 
 
 class CueListStatus(msgspec.Struct, frozen=True):
     """How far a list is. `current`: the cue that was called last; `standby`: the one that GO calls; `waits`, `moving`:
-    the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since the last
-    GO, None before the first, `by` whom, "" where it followed by itself."""
+    the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since
+    somebody pressed last, None before that; `pressed`: what that was ("GO 12", "Back", "Assert" or "Go to 12"), `by`
+    whom."""
 
     current: CueName | None
     standby: CueName | None
@@ -470,6 +473,7 @@ class CueListStatus(msgspec.Struct, frozen=True):
     follows_in: float = 0.0
     since: float | None = None
     by: str = ""
+    pressed: str = ""
 
 
 class CueStatus(msgspec.Struct, frozen=True):
