@@ -43,10 +43,11 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have. characters: what people call each, by name."""
+    """Whose names a message can have. characters: what people call each, by name; pads: where they are listed."""
 
     cast: Playable
     characters: Mapping[str, str]
+    pads: Sequence[str] = ()
 
 
 class Level(NamedTuple):
@@ -164,7 +165,7 @@ class OrderReader:
     def _read_value(self, value: Value, argument: Argument) -> Any:
         if value.kind == "number" and type(argument) is float:
             return argument
-        if argument is None and value.default is not None:
+        if argument is None and (value.optional or value.default is not None):
             return value.default
         if argument is None and not value.may_be_left_out:
             expected = f"the name of a {value.kind}, as text" if value.kind in NAMED else _listed([value])
@@ -259,7 +260,7 @@ def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
 
 
 SCENE_NAMES: Mapping[str, Callable[[str, Mapping[str, str]], str | list[str]]] = {
-    "framing": _characters, "character": find_character, "text": lambda text, _: text,
+    "framing": _characters, "character": find_character, "text": lambda text, _: text, "pad": lambda text, _: text,
 }  # fmt: skip
 """What finds the names of a scene, by its characters' names and labels."""
 

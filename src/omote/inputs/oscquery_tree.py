@@ -46,10 +46,10 @@ def host_info(name: str, port: int, transport: Transport = "UDP") -> dict[str, A
     return {"NAME": name, "OSC_PORT": port, "OSC_TRANSPORT": transport, "EXTENSIONS": extensions}
 
 
-def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
-    """The tree of all addresses without values: the same as long as cast and characters are."""
+def build_addresses(cast: Playable, characters: Iterable[str], pads: Sequence[str] = ()) -> Node:
+    """The tree of all addresses without values: the same as long as cast, characters and pads (names) are."""
     root = _container("/")
-    names = Names(cast, {name: name for name in characters})
+    names = Names(cast, {name: name for name in characters}, pads)
     for address in ADDRESSES:
         for owner in [""] if address.of_show else names.characters:
             for path in _paths(address, owner, names):
@@ -124,6 +124,8 @@ def _names(value: Value, names: Names) -> list[str]:
         return [*names.characters]
     if value.kind == "framing":
         return [ALL, *names.characters]
+    if value.kind == "pad":
+        return [*names.pads]
     if value.kind == "text":
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
