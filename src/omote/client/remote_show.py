@@ -175,7 +175,7 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
         finds the one before by, its name where none is given."""
         if not isinstance(pad, Pad):
             raise TypeError(f"the pad is a {type(pad).__name__}; give an omote.Pad")
-        return self.send(SetPad(self.next_id(), pad.name, pad.plays, pad.dimensions, list(pad.looks), key))
+        return self.send(SetPad(self.next_id(), pad.name, pad.part, pad.dimensions, list(pad.looks), key))
 
     def call_framing(
         self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from omote.inputs.character_patterns import characters_meant
@@ -43,11 +44,12 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have. characters: what people call each, by name; pads: where they are listed."""
+    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, where
+    they are listed."""
 
     cast: Playable
     characters: Mapping[str, str]
-    pads: Sequence[str] = ()
+    pads: Mapping[str, int] = MappingProxyType({})
 
 
 class Level(NamedTuple):

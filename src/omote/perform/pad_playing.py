@@ -89,11 +89,11 @@ class PadPlaying(CalledMix):
         names = renamed or {}
         places = {names.get(name, name): place for name, place in now.pads.items()}
 
-        def worn(part: str, on: Axis) -> Axis:
+        def worn(where: str, on: Axis) -> Axis:
             if on.point is None:
                 return on
             pad = pads.get(names.get(on.point.pad, on.point.pad))
-            if pad is None or part not in (pad.plays, *(PLAY_REGIONS if pad.plays == "expression" else ())):
+            if pad is None or where not in (pad.part, *(PLAY_REGIONS if pad.part == "expression" else ())):
                 return axis.let_go(on, TAKE_UP_SECONDS)
             place = fitted(on.point.place, pad.dimensions)
             return axis.replayed(on, pad.name, place, self._mix(pad, place))
@@ -129,18 +129,18 @@ class PadPlaying(CalledMix):
             after = axis.played(on, pad.name, place, mix, seconds, easing)
             return after if pace is None else axis.with_pace(after, pace)
 
-        if pad.plays == "face":
+        if pad.part == "face":
             return {"pads": pads, "face": play(now.face)}
-        if pad.plays == "expression":
+        if pad.part == "expression":
             takes = along or now.expression.point is None or now.expression.point.pad != pad.name
             regions = call_regions(now.regions, now.expression, play) if takes else _played(now.regions, pad.name, play)
             return {"pads": pads, "expression": play(now.expression), "regions": regions}
-        region = pad.plays
+        region = pad.part
         return {"pads": pads, "regions": {**now.regions, region: play(now.regions.get(region, now.expression))}}
 
     def _mix(self, pad: Pad, place: PadPlace) -> dict[str, float]:
         """What a pad shows at a place, of what the cast has."""
-        if pad.plays == "face":
+        if pad.part == "face":
             return pad.mix_at(place, self._cast.faces, GENERIC)
         return pad.mix_at(place, self._cast.expressions, NEUTRAL)
 

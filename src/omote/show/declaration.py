@@ -169,7 +169,7 @@ class ClientMessage(Message, frozen=True):
             if names is not None and isinstance(typed, str):
                 check_known(typed, names, value.kind)
 
-    def parts(self, scene: Scene) -> tuple[str, ...]:
+    def parts_played(self, scene: Scene) -> tuple[str, ...]:
         """The parts of a character or of the scene that it plays; none where it passes whoever holds what. scene: that
         it is for."""
         plays = () if self.plays is None else self.plays

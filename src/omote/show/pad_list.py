@@ -18,10 +18,10 @@ def list_pads(pads: Mapping[str, Pad], cast: Playable) -> PadList:
         [
             PadState(
                 pad.name,
-                pad.plays,
+                pad.part,
                 pad.dimensions,
                 list(pad.looks),
-                pad.lost(cast.faces if pad.plays == "face" else cast.expressions),
+                pad.lost(cast.faces if pad.part == "face" else cast.expressions),
             )
             for pad in pads.values()
         ]

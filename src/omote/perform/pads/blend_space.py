@@ -89,8 +89,8 @@ class Pad:
     ----------
     name : str
         1 to 24 letters, no spaces: it stands in addresses of OSC.
-    plays : {"face", "expression", "brows", "eyes", "mouth", "rest"}
-        The faces, the expressions of the whole face, or those of one region of it.
+    part : {"face", "expression", "brows", "eyes", "mouth", "rest"}
+        What it plays: the faces, the expressions of the whole face, or those of one region of it.
     dimensions : int
         1, 2 or 3.
     looks : sequence of PadLook
@@ -116,14 +116,14 @@ class Pad:
     """
 
     name: str
-    plays: PadPart
+    part: PadPart
     dimensions: int
     looks: tuple[PadLook, ...]
 
     def __post_init__(self) -> None:
         """Rejects what no pad can be."""
         check_pad_name(self.name)
-        check_known(self.plays, PAD_PARTS, "part that a pad plays")
+        check_known(self.part, PAD_PARTS, "part that a pad plays")
         if self.dimensions not in (1, 2, 3):
             raise ValueError(f"the pad {self.name} has {self.dimensions!r:.20} dimensions; expected 1, 2 or 3")
         looks = tuple(self.looks)

@@ -37,6 +37,6 @@ def point_of_goal(goal: Mapping[str, float]) -> tuple[str, PadPlace]:
 
 def check_point_fits(pad: Pad, part: str, place: PadPlace) -> None:
     """Raises ValueError where a pad does not play a part (by its name at a character), or has no such place."""
-    if pad.plays != part:
-        raise ValueError(f"the pad {pad.name} plays the {pad.plays}, not the {part}; move it there")
+    if pad.part != part:
+        raise ValueError(f"the pad {pad.name} plays the {pad.part}, not the {part}; move it there")
     pad.check_place(place)

@@ -152,9 +152,14 @@ class ShowServer:
         it, and so may read the tree without a token."""
         self._surface_allowed = allowed
 
-        def playing() -> tuple[Playable, State | None, tuple[str, ...], tuple[str, ...]]:
+        def playing() -> tuple[Playable, State | None, tuple[str, ...], dict[str, int]]:
             scene = self.session.scene
-            return self.session.cast, self._state, tuple(scene), tuple(scene.pads)
+            return (
+                self.session.cast,
+                self._state,
+                tuple(scene),
+                {name: pad.dimensions for name, pad in scene.pads.items()},
+            )
 
         self.oscquery = OscQuery(playing, port)
 

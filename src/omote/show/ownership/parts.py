@@ -63,7 +63,7 @@ def keys_played(message: ClientMessage, characters: Iterable[str], scene: Scene)
     """The parts of some characters of a scene that a message plays; none where it passes whoever holds what."""
     whom = tuple(characters)
     region = getattr(message, "region", None)
-    parts = message.parts(scene)
+    parts = message.parts_played(scene)
     if parts and region in REGION_PARTS:
         parts = (region,)
     return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))

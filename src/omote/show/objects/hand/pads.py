@@ -46,7 +46,7 @@ class PadCommand(SceneCommand, frozen=True):
 
 
 class SetPad(PadCommand, frozen=True):
-    """Keeps a pad: what it `plays` (`face`, `expression`, or a region of it), 1 to 3 `dimensions`, 2 to 12 `looks` at
+    """Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12 `looks` at
     places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One of its name
     makes way, and what that plays follows the new one without a jump. It is kept with the show. `restore_pad` with the
     `key` (the name without one) takes it back; with a key several changes, one after the other, together. An `id`
@@ -56,14 +56,14 @@ class SetPad(PadCommand, frozen=True):
 
     id: CallId
     name: NewPadName
-    plays: PadPart
+    part: PadPart
     dimensions: int
     looks: Annotated[list[PadLook], msgspec.Meta(max_length=MOST_LOOKS)]
     key: OptionalCallId = ""
 
     def change(self, scene: Scene) -> None:
         """Changes the scene."""
-        scene.set_pad(Pad(self.name, self.plays, self.dimensions, tuple(self.looks)), key=self.key)
+        scene.set_pad(Pad(self.name, self.part, self.dimensions, tuple(self.looks)), key=self.key)
 
 
 class RenamePad(PadCommand, frozen=True):
@@ -134,7 +134,7 @@ class PadState(msgspec.Struct, frozen=True):
     """A pad, as of `set_pad`. `missing`: the names of its looks that the cast does not have; they count as neutral."""
 
     name: str
-    plays: PadPart
+    part: PadPart
     dimensions: int
     looks: list[PadLook]
     missing: list[str] = []
@@ -181,13 +181,13 @@ class MovePad(CharacterCommand, frozen=True):
         """Raises ValueError for a pad that there is not. session: the show."""
         session.scene.find_pad(self.name)
 
-    def parts(self, scene: Scene) -> tuple[str, ...]:
+    def parts_played(self, scene: Scene) -> tuple[str, ...]:
         """The part that the pad plays; none where there is none of the name. scene: that has it."""
         try:
-            plays = scene.find_pad(self.name).plays
+            part = scene.find_pad(self.name).part
         except ValueError:
             return ()
-        return ("expression",) if plays == "rest" else (plays,)
+        return ("expression",) if part == "rest" else (part,)
 
     def control(self, character: str) -> str:
         """The point of one pad."""
