@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Literal, get_args
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.perform.limits import check_known, check_within
 from omote.perform.mix import Weights, combine
 
@@ -141,10 +142,6 @@ class Pad:
                 )
         _check_apart(looks, self.name)
         object.__setattr__(self, "looks", looks)
-        places = np.zeros((len(looks), len(AXES)))
-        places[:, : self.dimensions] = [look.place for look in looks]
-        places.flags.writeable = False
-        object.__setattr__(self, "_places", places)
 
     def weights_at(self, place: Sequence[float]) -> list[float]:
         """How much of each look shows at a point.
@@ -303,6 +300,14 @@ class Pad:
         ['lost']
         """
         return list(dict.fromkeys(name for look in self.looks for name in look.mix if name not in known))
+
+    @cached_property
+    def _places(self) -> Values:
+        """The places of the looks (n, 3); a dimension that the pad does not have is 0."""
+        places = np.zeros((len(self.looks), len(AXES)))
+        places[:, : self.dimensions] = [look.place for look in self.looks]
+        places.flags.writeable = False
+        return places
 
     def _weights(self, place: PadPlace) -> list[float]:
         out = np.empty(len(self.looks))
