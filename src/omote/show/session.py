@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Protocol
 
 import msgspec
 
@@ -55,8 +54,11 @@ MOST_DEVICE_MESSAGES = 4096
 """Of devices, between two ticks."""
 
 
-class Recorder(Protocol):
-    """Notes what a session does (`recording/recorder.py`)."""
+class Unrecorded:
+    """Notes nothing of what a session does: what a recorder (`recording/recorder.py`) is asked for."""
+
+    records = False
+    """Whether there is a recording, whose moments can be marked."""
 
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
@@ -120,8 +122,8 @@ class ShowSession:
         self.sounds = KnownSounds()
         self._sent_sounds: dict[str, float] = {}
         self.named_sounds = NamedSounds(self._tell_sounds)
-        self.recorder: Recorder | None = None
-        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
+        self.recorder = Unrecorded()
+        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, lambda: self.recorder.note_edit())
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
         self.preview_state: State | None = None
         self.lost: list[str] = []
@@ -131,7 +133,7 @@ class ShowSession:
             lambda sound: self.sounds.check(sound),
             self.list_documents,
             lambda message: self.act("", message, self._now or 0.0),
-            self._note_clips,
+            lambda: self.recorder.note_clips(),
             lambda said: self.lost.append(said),
         )
         self.texts = TextsToSpeak()
@@ -217,7 +219,7 @@ class ShowSession:
         with refuse_errors(message):
             check_ranges(message)
             answers = message.act(self.preview.session(self) if unseen else self, who, now)
-        if self.recorder is not None and message.recorded and not unseen:
+        if message.recorded and not unseen:
             self.recorder.note_message(who, message, now)
         return answers
 
@@ -266,8 +268,7 @@ class ShowSession:
         except (KeyError, ValueError, TypeError):  # a Refusal is a ValueError
             return False
         self.commands += len(values)
-        if self.recorder is not None:
-            self.recorder.note_channels(who, character, values, now)
+        self.recorder.note_channels(who, character, values, now)
         self._hands.note_channels(who, character, values, now)
         self.leasing.note(who, message, (character,))
         return True
@@ -281,8 +282,7 @@ class ShowSession:
         self._told += self.clips.end_passes()
         speak_lines(self, now)
         state = self._state(elapsed)
-        if self.recorder is not None:
-            self.recorder.note_tick(now)
+        self.recorder.note_tick(now)
         return state
 
     def resume(self, now: float | None, number: int, eye_offsets: Mapping[str, EyeOffset]) -> None:
@@ -291,14 +291,6 @@ class ShowSession:
         self._now = now
         self.number = number
         self._eye_offsets = dict(eye_offsets)
-
-    def _note_clips(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_clips()
-
-    def _note_edit(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_edit()
 
     @property
     def now(self) -> float | None:
@@ -355,8 +347,7 @@ class ShowSession:
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
         self.revision += 1
-        if self.recorder is not None:
-            self.recorder.note_recast(cast.digest)
+        self.recorder.note_recast(cast.digest)
         return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
@@ -413,8 +404,7 @@ class ShowSession:
             self.preview.forget()
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
-        if self.recorder is not None:
-            self.recorder.note_left(who)
+        self.recorder.note_left(who)
 
     def set_sounds(self, seconds: dict[str, float]) -> None:
         """Notes the sounds that programs have sent and that there are now, and no others, with their seconds."""
@@ -425,8 +415,7 @@ class ShowSession:
         seconds = {**self._sent_sounds, **self.named_sounds.seconds()}
         called = self.named_sounds.called()
         self.sounds.set(seconds, called)
-        if self.recorder is not None:
-            self.recorder.note_sounds(seconds, called)
+        self.recorder.note_sounds(seconds, called)
 
     def _tell_sounds(self) -> None:
         self._note_sounds()
@@ -458,9 +447,8 @@ class ShowSession:
         leases = self.leasing.tell(now)
         news = self.sources.news(consoles, now)
         taken = {} if news is None else self.sources.take_over(self.scene, now)
-        if self.recorder is not None:
-            for source, route in taken.items():
-                self.recorder.note_routed(source, route)
+        for source, route in taken.items():
+            self.recorder.note_routed(source, route)
         work = self.clips.news()
         told = [] if work is None else self.for_consoles(work)
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
@@ -495,8 +483,7 @@ class ShowSession:
     def reject_line(self, said: str) -> None:
         """Tells consoles why (said) a line of a cue was not said."""
         self.cues.reject(said)
-        if self.recorder is not None:
-            self.recorder.note_rejected(said)
+        self.recorder.note_rejected(said)
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""
