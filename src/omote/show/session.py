@@ -126,6 +126,8 @@ class ShowSession:
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, lambda: self.recorder.note_edit())
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
         self.preview_state: State | None = None
+        self.plays_preview = True
+        """Not in a replay: what a take and a record read of the preview stands before them in the recording."""
         self.lost: list[str] = []
         self.clips = ShowClips(
             lambda: self.scene,
@@ -310,7 +312,7 @@ class ShowSession:
         cues = self.cues.status(self._now or 0.0)
         sounds = self.sounds.find
         state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, sounds=sounds, **numbers)
-        self.preview_state = self._unseen(state) if self.members.any_in_preview else None
+        self.preview_state = self._unseen(state) if self.plays_preview and self.members.any_in_preview else None
         return state
 
     def _unseen(self, air: State) -> State | None:
