@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Protocol
 
 import msgspec
 
@@ -56,8 +55,11 @@ MOST_DEVICE_MESSAGES = 4096
 """Of devices, between two ticks."""
 
 
-class Recorder(Protocol):
-    """Notes what a session does (`recording/recorder.py`)."""
+class Unrecorded:
+    """Notes nothing of what a session does: what a recorder (`recording/recorder.py`) is asked for."""
+
+    records = False
+    """Whether there is a recording, whose moments can be marked."""
 
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
@@ -121,10 +123,12 @@ class ShowSession:
         self.sounds = KnownSounds()
         self._sent_sounds: dict[str, float] = {}
         self.named_sounds = NamedSounds(self._tell_sounds)
-        self.recorder: Recorder | None = None
-        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
+        self.recorder = Unrecorded()
+        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, lambda: self.recorder.note_edit())
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
         self.preview_state: State | None = None
+        self.plays_preview = True
+        """Not in a replay: what a take and a record read of the preview stands before them in the recording."""
         self.lost: list[str] = []
         self.clips = ShowClips(
             lambda: self.scene,
@@ -132,7 +136,7 @@ class ShowSession:
             lambda sound: self.sounds.check(sound),
             self.list_documents,
             lambda message: self.act("", message, self._now or 0.0),
-            self._note_clips,
+            lambda: self.recorder.note_clips(),
             lambda said: self.lost.append(said),
         )
         self._pads = PadListing(self.scene.pads, cast)
@@ -219,7 +223,7 @@ class ShowSession:
         with refuse_errors(message):
             check_ranges(message)
             answers = message.act(self.preview.session(self) if unseen else self, who, now)
-        if self.recorder is not None and message.recorded and not unseen:
+        if message.recorded and not unseen:
             self.recorder.note_message(who, message, now)
         return answers
 
@@ -268,8 +272,7 @@ class ShowSession:
         except (KeyError, ValueError, TypeError):  # a Refusal is a ValueError
             return False
         self.commands += len(values)
-        if self.recorder is not None:
-            self.recorder.note_channels(who, character, values, now)
+        self.recorder.note_channels(who, character, values, now)
         self._hands.note_channels(who, character, values, now)
         self.leasing.note(who, message, (character,))
         return True
@@ -283,8 +286,7 @@ class ShowSession:
         self._told += self.clips.end_passes()
         speak_lines(self, now)
         state = self._state(elapsed)
-        if self.recorder is not None:
-            self.recorder.note_tick(now)
+        self.recorder.note_tick(now)
         return state
 
     def resume(self, now: float | None, number: int, eye_offsets: Mapping[str, EyeOffset]) -> None:
@@ -293,14 +295,6 @@ class ShowSession:
         self._now = now
         self.number = number
         self._eye_offsets = dict(eye_offsets)
-
-    def _note_clips(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_clips()
-
-    def _note_edit(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_edit()
 
     @property
     def now(self) -> float | None:
@@ -320,7 +314,7 @@ class ShowSession:
         cues = self.cues.status(self._now or 0.0)
         sounds = self.sounds.find
         state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, sounds=sounds, **numbers)
-        self.preview_state = self._unseen(state) if self.members.any_in_preview else None
+        self.preview_state = self._unseen(state) if self.plays_preview and self.members.any_in_preview else None
         return state
 
     def _unseen(self, air: State) -> State | None:
@@ -357,8 +351,7 @@ class ShowSession:
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
         self.revision += 1
-        if self.recorder is not None:
-            self.recorder.note_recast(cast.digest)
+        self.recorder.note_recast(cast.digest)
         return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
@@ -415,8 +408,7 @@ class ShowSession:
             self.preview.forget()
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
-        if self.recorder is not None:
-            self.recorder.note_left(who)
+        self.recorder.note_left(who)
 
     def set_sounds(self, seconds: dict[str, float]) -> None:
         """Notes the sounds that programs have sent and that there are now, and no others, with their seconds."""
@@ -427,8 +419,7 @@ class ShowSession:
         seconds = {**self._sent_sounds, **self.named_sounds.seconds()}
         called = self.named_sounds.called()
         self.sounds.set(seconds, called)
-        if self.recorder is not None:
-            self.recorder.note_sounds(seconds, called)
+        self.recorder.note_sounds(seconds, called)
 
     def _tell_sounds(self) -> None:
         self._note_sounds()
@@ -460,9 +451,8 @@ class ShowSession:
         leases = self.leasing.tell(now)
         news = self.sources.news(consoles, now)
         taken = {} if news is None else self.sources.take_over(self.scene, now)
-        if self.recorder is not None:
-            for source, route in taken.items():
-                self.recorder.note_routed(source, route)
+        for source, route in taken.items():
+            self.recorder.note_routed(source, route)
         pads = self._pads.news(self.scene.pads, self.cast, now)
         self._told += [] if pads is None else self.for_consoles(pads)
         work = self.clips.news()
@@ -499,8 +489,7 @@ class ShowSession:
     def reject_line(self, said: str) -> None:
         """Tells consoles why (said) a line of a cue was not said."""
         self.cues.reject(said)
-        if self.recorder is not None:
-            self.recorder.note_rejected(said)
+        self.recorder.note_rejected(said)
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""

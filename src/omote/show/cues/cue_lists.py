@@ -217,13 +217,14 @@ class CueLists:
         if self._paused and wanted is None:
             self.pause(on=False)
             return ()
+        called = wanted or standby
+        if called is None:
+            return self._ignore(who, message.id, "", "no cue stands by, for the list is at its end")
         if wanted is None:
-            if standby is None:
-                return self._ignore(who, message.id, "", "no cue stands by, for the list is at its end")
             player.go()
         else:
             player.go_to(wanted.number)
-        self._note_act(name, who, now, f"GO {(wanted or standby).number}")
+        self._note_act(name, who, now, f"GO {called.number}")
         return ()
 
     def go_back(self, message: wire.GoBack, who: str, now: float) -> Sequence[Outgoing]:
