@@ -46,7 +46,9 @@ def point_after(point: PadPoint, dt: float) -> PadPoint:
     """The point `dt` seconds later, the same object where nothing moves."""
     if point.second is point.goal or not dt:
         return point
-    goal, first, second = point.goal, point.first, point.second
+    goal = point.goal
+    first = point.first
+    second = point.second
     for step in (dt,) if dt <= LONGEST_STEP else steps_of(dt):  # nearly always one
         first, second, farthest = _step(goal, first, second, step)
     if farthest < NEAR:
