@@ -57,7 +57,7 @@ from omote.perform.frame import Frame
 from omote.perform.mix import mix_in
 from omote.perform.scene import movement
 from omote.perform.scene.cast_pads import cast_pads
-from omote.perform.scene.pad_goals import goal_of_point
+from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
@@ -108,10 +108,11 @@ def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips
     cues = []
     for number in range(CUES):
         parts = rng.choice(list(goals), int(rng.integers(1, 5)), replace=False)
-        moves = {
-            f"{WHO}/{part}": omote.Move(goals[str(part)](), lasting(rng), delay=float(rng.choice([0.0, 0.0, 0.4])))
-            for part in parts
-        }
+        moves = {}
+        for part in parts:
+            goal = goals[str(part)]()
+            seconds = lasting(rng) if not is_pad_goal(str(part), goal) else float(rng.uniform(*ACROSS))
+            moves[f"{WHO}/{part}"] = omote.Move(goal, seconds, delay=float(rng.choice([0.0, 0.0, 0.4])))
         follows = "continue" if rng.random() < 0.2 else ""
         cues.append(omote.Cue(f"c{number}", str(number + 1), moves, goes_on=follows, post_wait=0.5))  # type: ignore[arg-type]
     return cues
@@ -160,6 +161,8 @@ STROKE_PEAK = 1.875
 """The highest speed of a stroke, of its length over its time: it goes the way of a quintic."""
 WIDTHS = 0.7
 """Widths of a pad a second, at most."""
+ACROSS = 4.0, 6.0
+"""Seconds in which a cue moves a point, which may be across the whole pad: as slowly as the hand."""
 SHORTEST_STROKE = 0.2
 """Seconds."""
 DRAGGED = 0.004

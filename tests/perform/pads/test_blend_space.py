@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import msgspec
@@ -142,12 +142,12 @@ def test_a_pad_is_the_same_after_it_was_written_and_read() -> None:
 A = PadLook("A", {"a": 1.0}, (0.0, 0.0))
 B = PadLook("B", {"b": 1.0}, (1.0, 0.0))
 PAD = Pad("pad", "mouth", 2, (A, B))
-WRONG = {
+WRONG: dict[str, Callable[[], object]] = {
     "the name of a pad is ''": lambda: replace(PAD, name=""),
-    "the name of a pad is 5": lambda: replace(PAD, name=5),
+    "the name of a pad is 5": lambda: replace(PAD, name=5),  # type: ignore[arg-type]
     "cannot be named 'a/b', for '/'": lambda: replace(PAD, name="a/b"),
     "cannot be named 'a b', for ' '": lambda: replace(PAD, name="a b"),
-    "part that a pad plays": lambda: replace(PAD, part="nose"),
+    "part that a pad plays": lambda: replace(PAD, part="nose"),  # type: ignore[arg-type]
     "has 4 dimensions": lambda: replace(PAD, dimensions=4),
     "has 1 looks; a pad has 2 to 12": lambda: replace(PAD, looks=(A,)),
     "has 13 looks": lambda: replace(PAD, looks=(A,) * 13),

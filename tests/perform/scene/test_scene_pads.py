@@ -57,12 +57,6 @@ def test_a_new_show_has_the_pads_of_the_cast_and_an_old_one_takes_them(cast: Cas
     assert old.pads == {}
 
 
-def test_the_looks_of_the_casts_pads_are_reached_and_neutral_is_one_of_them(cast: Cast) -> None:
-    for pad in cast_pads(cast).values():
-        looks = [look for look in pad.looks if look.mix in ({"neutral": 1.0}, {"generic": 1.0})]
-        assert [look.place for look in looks] == [(0.0, 0.0)]
-
-
 def test_a_pad_is_found_as_people_write_it(scene: Scene) -> None:
     scene.move_pad("one", "MOOD", 1.0)
     assert mix(scene) == {"jawOpen": 1.0}

@@ -21,7 +21,7 @@ from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, Panic
 from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, PadList, RenamePad, RestorePad, SetPad
 from omote.show.objects.leases import SetLeases
-from omote.show.objects.link import Hello, Refused
+from omote.show.objects.link import Bus, Hello, Refused
 from omote.show.objects.preview import Take
 from omote.show.pad_list import AGAIN_SECONDS
 from omote.show.session import ShowSession
@@ -36,7 +36,8 @@ LIPS = SetPad("lips", "lips", "mouth", 2, LOOKS)
 def session(cast: Cast) -> ShowSession:
     """Ana and Ben are there, Eve looks at the preview; a pad plays the mouth."""
     session = ShowSession(cast)
-    for who, bus in (("ana", "air"), ("ben", "air"), ("eve", "preview")):
+    buses: dict[str, Bus] = {"ana": "air", "ben": "air", "eve": "preview"}
+    for who, bus in buses.items():
         session.receive(who, Hello("console", PROTOCOL_VERSION, who, f"page of {who}", who, bus=bus), 0.0)
     assert session.receive("ana", decode(encode(LIPS)), 0.0) == []
     return session
