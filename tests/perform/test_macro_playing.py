@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import pytest
@@ -39,7 +40,7 @@ def test_one_number_plays_channels_head_and_gaze_each_by_its_curve(performer: Pe
         MacroTarget("head/yaw", high=0.4, below=HalfBelow(-0.2)),
         MacroTarget("gaze/pitch", high=-0.3),
     ]
-    performer.set_mapping(MacroMapping("all", targets))
+    performer.set_mapping(MacroMapping("all", tuple(targets)))
     performer.move_macro("all", 0.5)
     frame = performer.advance(1.0)
     assert (jaw_of(frame), frame.head.yaw, frame.gaze.pitch) == (0.5, 0.2, -0.15)
@@ -49,7 +50,7 @@ def test_one_number_plays_channels_head_and_gaze_each_by_its_curve(performer: Pe
 
 
 def test_faders_and_macros_are_added_and_faders_show_what_faders_hold(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen")]))
+    performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen"),)))
     performer.set_channel("jawOpen", 0.25)
     performer.move_macro("mouth", 0.25)
     frame = performer.advance(0.0)
@@ -61,7 +62,7 @@ def test_faders_and_macros_are_added_and_faders_show_what_faders_hold(performer:
 
 
 def test_a_gaze_that_a_macro_turns_turns_the_eyes(performer: Performer, cast: Cast) -> None:
-    performer.set_mapping(MacroMapping("look", [MacroTarget("gaze/yaw", high=0.3)]))
+    performer.set_mapping(MacroMapping("look", (MacroTarget("gaze/yaw", high=0.3),)))
     performer.move_macro("look", 1.0)
     by_macro = performer.advance(0.0)
     other = Performer(cast)
@@ -71,7 +72,7 @@ def test_a_gaze_that_a_macro_turns_turns_the_eyes(performer: Performer, cast: Ca
 
 
 def test_a_step_rises_and_falls_in_its_own_time(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("mouth", [SOFT]))
+    performer.set_mapping(MacroMapping("mouth", (SOFT,)))
     performer.move_macro("mouth", 1.0)
     assert jaw_of(performer.advance(0.1)) == pytest.approx(0.9 * 0.8, abs=0.02)
     performer.advance(2.0)
@@ -81,8 +82,8 @@ def test_a_step_rises_and_falls_in_its_own_time(performer: Performer) -> None:
 
 
 def test_a_condition_fades_and_does_not_chatter(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen")], MacroCondition("macro/on", 0.5)))
-    performer.set_mapping(MacroMapping("on", [MacroTarget("channel/browInnerUp")]))
+    performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen"),), MacroCondition("macro/on", 0.5)))
+    performer.set_mapping(MacroMapping("on", (MacroTarget("channel/browInnerUp"),)))
     performer.move_macro("mouth", 0.5)
     assert jaw_of(performer.advance(1.0)) == 0.0
     performer.move_macro("on", 0.51)
@@ -99,7 +100,7 @@ def test_a_condition_fades_and_does_not_chatter(performer: Performer) -> None:
 @pytest.mark.parametrize("reads", ["channel/browInnerUp", "expression/smile"])
 def test_a_condition_reads_what_hands_and_calls_hold(performer: Performer, reads: str) -> None:
     when = MacroCondition(reads, 0.5, above=False)
-    performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen")], when))
+    performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen"),), when))
     performer.move_macro("mouth", 0.5)
     assert jaw_of(performer.advance(0.0)) == 0.5
     performer.set_channel("browInnerUp", 0.8)
@@ -109,11 +110,11 @@ def test_a_condition_reads_what_hands_and_calls_hold(performer: Performer, reads
 
 
 def test_changes_on_air_go_on_from_what_shows(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen", high=0.6)]))
+    performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen", high=0.6),)))
     performer.move_macro("mouth", 1.0)
     values = [jaw_of(performer.advance(TICK))]
-    changes = [
-        lambda: performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen", high=0.2)])),
+    changes: list[Callable[[], None]] = [
+        lambda: performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen", high=0.2),))),
         lambda: performer.rename_mapping("mouth", "jaw"),
         lambda: performer.drop_mapping("jaw"),
         lambda: performer.restore_mapping("jaw"),
@@ -127,8 +128,8 @@ def test_changes_on_air_go_on_from_what_shows(performer: Performer) -> None:
 
 
 def test_a_renamed_macro_is_found_by_conditions(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("on", [MacroTarget("channel/browInnerUp")]))
-    performer.set_mapping(MacroMapping("mouth", [SOFT], MacroCondition("macro/on", 0.5)))
+    performer.set_mapping(MacroMapping("on", (MacroTarget("channel/browInnerUp"),)))
+    performer.set_mapping(MacroMapping("mouth", (SOFT,), MacroCondition("macro/on", 0.5)))
     performer.rename_mapping("on", "switch")
     when = performer.mappings["mouth"].when
     assert when is not None
@@ -139,7 +140,7 @@ def test_a_renamed_macro_is_found_by_conditions(performer: Performer) -> None:
 
 
 def test_a_panic_takes_macros_to_rest_until_they_are_moved_again(performer: Performer) -> None:
-    performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jawOpen", low=0.2, high=0.6)]))
+    performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen", low=0.2, high=0.6),)))
     performer.move_macro("mouth", 1.0)
     before = jaw_of(performer.advance(2.0))
     performer.panic()
@@ -155,8 +156,8 @@ def test_a_panic_takes_macros_to_rest_until_they_are_moved_again(performer: Perf
 
 
 def test_a_snapshot_goes_on_bit_for_bit(performer: Performer, cast: Cast) -> None:
-    performer.set_mapping(MacroMapping("mouth", [SOFT], MacroCondition("macro/on", 0.5)))
-    performer.set_mapping(MacroMapping("on", [MacroTarget("head/roll", high=0.3, rise=0.2)]))
+    performer.set_mapping(MacroMapping("mouth", (SOFT,), MacroCondition("macro/on", 0.5)))
+    performer.set_mapping(MacroMapping("on", (MacroTarget("head/roll", high=0.3, rise=0.2),)))
     performer.move_macro("mouth", 0.7)
     performer.move_macro("on", 0.9)
     play(performer, 5)
@@ -169,7 +170,7 @@ def test_a_snapshot_goes_on_bit_for_bit(performer: Performer, cast: Cast) -> Non
 def test_a_channel_that_another_cast_has_not_gives_nothing(performer: Performer, cast: Cast) -> None:
     beaming = cast.with_expressions(beam=cast.expressions["smile"])
     performer.recast(beaming)
-    performer.set_mapping(MacroMapping("beam", [MacroTarget("channel/beam"), MacroTarget("channel/jawOpen")]))
+    performer.set_mapping(MacroMapping("beam", (MacroTarget("channel/beam"), MacroTarget("channel/jawOpen"))))
     performer.recast(cast)
     performer.move_macro("beam", 0.5)
     assert dict(performer.advance(0.0).channels) == {"jawOpen": 0.5}
@@ -177,16 +178,16 @@ def test_a_channel_that_another_cast_has_not_gives_nothing(performer: Performer,
 
 def test_what_there_is_not_is_refused(performer: Performer) -> None:
     with pytest.raises(ValueError, match="channel"):
-        performer.set_mapping(MacroMapping("mouth", [MacroTarget("channel/jaw0pen")]))
+        performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jaw0pen"),)))
     with pytest.raises(ValueError, match="macro"):
         performer.move_macro("mouth", 0.5)
-    performer.set_mapping(MacroMapping("mouth", [SOFT]))
+    performer.set_mapping(MacroMapping("mouth", (SOFT,)))
     with pytest.raises(ValueError, match="-1 to 1"):
         performer.move_macro("mouth", 1.5)
-    performer.set_mapping(MacroMapping("eyes", [SOFT]))
+    performer.set_mapping(MacroMapping("eyes", (SOFT,)))
     with pytest.raises(ValueError, match="already"):
         performer.rename_mapping("mouth", "Eyes")
     for number in range(62):
-        performer.set_mapping(MacroMapping(f"m{number}", [SOFT]))
+        performer.set_mapping(MacroMapping(f"m{number}", (SOFT,)))
     with pytest.raises(ValueError, match="64"):
-        performer.set_mapping(MacroMapping("one-more", [SOFT]))
+        performer.set_mapping(MacroMapping("one-more", (SOFT,)))

@@ -14,6 +14,7 @@ from omote.perform.frame import (
     Held,
     Home,
     LayerStatus,
+    MacroStatus,
     MotionSettings,
     SourceStatus,
     SpeechStatus,
@@ -49,6 +50,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         clips=tuple(
             ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
+        macros={name: MacroStatus(macro.value, macro.share) for name, macro in character.macros.items()},
     )
 
 

@@ -169,6 +169,11 @@ class ClientMessage(Message, frozen=True):
             if names is not None and isinstance(typed, str):
                 check_known(typed, names, value.kind)
 
+    def parts_of(self, scene: Scene, character: str) -> Sequence[str]:
+        """The parts of a character that it plays, where that is not the same for all of its kind; nothing: all of
+        `plays`. scene: with the character; character: whom it is for."""
+        return ()
+
     def control(self, character: str) -> str:
         """The control of a character that a hand moves by it: the message's tag, and more where one tag has several."""
         return f"{character}/{tag_of(type(self))}"

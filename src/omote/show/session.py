@@ -48,6 +48,7 @@ from omote.show.speech.named_sounds import NamedSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
 from omote.show.state import EyeOffset, offset_between, preview_state, state_of
+from omote.show.told_mappings import ToldMappings
 from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
 
@@ -135,6 +136,7 @@ class ShowSession:
             lambda said: self.lost.append(said),
         )
         self.texts = TextsToSpeak()
+        self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
         self._own(None)
@@ -161,7 +163,7 @@ class ShowSession:
 
     def _own(self, snapshot: LeaseSnapshot | None) -> None:
         """Begins with one table of who holds, wants and moves what; snapshot: the leases of before."""
-        self.leasing = Leasing(self.members, snapshot, lambda: self.scene.labels)
+        self.leasing = Leasing(self.members, lambda: self.scene, snapshot)
         self._hands = HandReports(self.leasing.table)
 
     def snapshot(self) -> SessionSnapshot:
@@ -461,8 +463,8 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
-        work = self.clips.news()
-        told = [] if work is None else self.for_consoles(work)
+        news_of_all = (self.clips.news(), self.mappings.news())
+        told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
         on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
@@ -519,6 +521,8 @@ class ShowSession:
         lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
         if hello.role == "console" and self.clips.work != NO_WORK:
             lists.append(Outgoing(who, self.clips.work))
+        if hello.role == "console" and (mappings := self.mappings.list_now()).mappings:
+            lists.append(Outgoing(who, mappings))
         if hello.role == "console" and self.named_sounds.sounds:
             lists.append(Outgoing(who, self.named_sounds.message()))
         return [*welcomes, *self.notices_for(who), *lists]

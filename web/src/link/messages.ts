@@ -920,6 +920,45 @@ export type Notices = { type: "notices"; notices: Notice[] };
 export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
 
 /**
+ * Says what a macro plays from now on, in the place of the mapping of that name; one that plays goes on without a
+ * jump. `restore_mapping` with the `key` (the name without one) takes that back. It is kept with the show. An `id`
+ * executes once, as of those below.
+ */
+export type SetMapping = { type: "set_mapping"; character: string; id: string; mapping: MacroMapping; key?: string };
+
+/** Gives a macro another name, in the conditions of others too; nothing changes on air. */
+export type RenameMapping = {
+  type: "rename_mapping";
+  character: string;
+  id: string;
+  name: string;
+  to: string;
+  key?: string;
+};
+
+/** Forgets a macro and its mapping; what it gives fades out in .2 s. */
+export type DropMapping = { type: "drop_mapping"; character: string; id: string; name: string; key?: string };
+
+/** Takes back that mappings were set, renamed or dropped under this `key`; asked again, it is as after that. */
+export type RestoreMapping = { type: "restore_mapping"; character: string; id: string; key: string };
+
+/**
+ * Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
+ * them, it is rejected whole.
+ */
+export type MoveMacro = { type: "move_macro"; character: string; name: string; value: number };
+
+/**
+ * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
+ * each change. `missing`: by character, the channels of them that the cast has not, which give nothing.
+ */
+export type MappingList = {
+  type: "mapping_list";
+  mappings: Record<string, MacroMapping[]>;
+  missing: Record<string, string[]>;
+};
+
+/**
  * Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, head and
  * gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
  * without one) takes that back. It is kept with the show. An `id` executes once, as of those below.
@@ -1509,6 +1548,12 @@ export type ClipState = {
 };
 
 /**
+ * A macro: `value` -1..1, where its hand has it; `share`: how much of it shows, 0..1, by its condition, 0 until a
+ * hand moves it after a panic.
+ */
+export type MacroState = { value: number; share: number };
+
+/**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
  * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
@@ -1519,6 +1564,7 @@ export type ClipState = {
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
+ * `macros`: all that it has.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1548,6 +1594,7 @@ export type CharacterState = {
   speech: SpeechState | null;
   spoken: string;
   clips: ClipState[];
+  macros: Record<string, MacroState>;
 };
 
 /**
@@ -1911,6 +1958,11 @@ export type FromClient =
   | Hello
   | Cancel
   | Ping
+  | SetMapping
+  | RenameMapping
+  | DropMapping
+  | RestoreMapping
+  | MoveMacro
   | KeepMemory
   | CallMemory
   | DeleteMemory
@@ -1966,6 +2018,7 @@ export type FromServer =
   | Refused
   | Notices
   | Progress
+  | MappingList
   | RecordingKept
   | SourceIs
   | Sources
@@ -2011,4 +2064,40 @@ export type Cue = {
   goes_on: "" | "continue" | "follow";
   skip: boolean;
   actions: CueAction[];
+};
+
+/** The half of a target below the middle of its macro. */
+
+export type HalfBelow = {
+  high: number;
+  curve: [number, number][];
+};
+
+/** One of the targets of a macro: what it gives of it, and how that follows. */
+
+export type MacroTarget = {
+  to: string;
+  low: number;
+  high: number;
+  curve: [number, number][];
+  below: HalfBelow | null;
+  rise: number;
+  fall: number;
+};
+
+/** Where a macro plays at all: while something is above a level, or below it. */
+
+export type MacroCondition = {
+  reads: string;
+  level: number;
+  above: boolean;
+  hysteresis: number;
+};
+
+/** What a macro plays: one number under a hand, several targets. */
+
+export type MacroMapping = {
+  name: string;
+  targets: MacroTarget[];
+  when: MacroCondition | null;
 };

@@ -291,6 +291,12 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
+    def parts(self) -> tuple[str, ...]:
+        """The parts of the character that it plays, each once: channels, head, gaze."""
+        kinds = (target.place[0] for target in self.targets)
+        return tuple(dict.fromkeys("channels" if kind == CHANNEL else kind for kind in kinds))
+
+    @cached_property
     def is_nothing_at_rest(self) -> bool:
         """Whether it gives nothing where it is at 0."""
         return not any(target.low for target in self.targets)

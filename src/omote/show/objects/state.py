@@ -131,6 +131,14 @@ class ClipState(msgspec.Struct, frozen=True):
     silent: str = ""
 
 
+class MacroState(msgspec.Struct, frozen=True):
+    """A macro: `value` -1..1, where its hand has it; `share`: how much of it shows, 0..1, by its condition, 0 until a
+    hand moves it after a panic."""
+
+    value: float
+    share: float
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -143,6 +151,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
+    `macros`: all that it has.
     """
 
     faces: dict[str, float]
@@ -172,6 +181,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     speech: SpeechState | None = None
     spoken: str = ""
     clips: list[ClipState] = []
+    macros: dict[str, MacroState] = {}
 
 
 class State(ServerMessage, frozen=True):

@@ -9,6 +9,7 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, describe_character
 from omote.perform.scene.goals import SCENE_PARTS as PLAYED_PARTS
 from omote.perform.scene.goals import Part
+from omote.perform.scene.scene import Scene
 from omote.show.declaration import ClientMessage
 from omote.show.objects.leases import LeasePart
 
@@ -58,8 +59,11 @@ def keys_of(characters: Iterable[str], part: str, *, whole_scene: bool = False) 
     return (*keys, *scene) if part == ALL and whole_scene else keys
 
 
-def keys_played(message: ClientMessage, characters: Iterable[str]) -> tuple[str, ...]:
-    """The parts of some characters that a message plays; none where it passes whoever holds what."""
+def keys_played(message: ClientMessage, characters: Iterable[str], scene: Scene) -> tuple[str, ...]:
+    """The parts of some characters that a message plays; none where it passes whoever holds what.
+
+    scene: with the characters.
+    """
     plays = message.plays
     if plays is None:
         return ()
@@ -67,6 +71,9 @@ def keys_played(message: ClientMessage, characters: Iterable[str]) -> tuple[str,
     if region in REGION_PARTS:
         plays = region
     whom = tuple(characters)
+    own = {character: message.parts_of(scene, character) for character in whom}
+    if any(own.values()):
+        return tuple(key_of(character, part) for character, parts in own.items() for part in parts)
     parts = (plays,) if isinstance(plays, str) else plays
     return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))
 

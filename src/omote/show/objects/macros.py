@@ -1,0 +1,116 @@
+"""Macros: numbers under a hand that play several targets of a character each, and the mappings that say which."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import msgspec
+
+from omote.perform.mappings.mapping import LONGEST_MACRO, MACRO_LIMITS, MacroMapping
+from omote.perform.performer import Performer
+from omote.perform.scene.scene import Scene
+from omote.show.declaration import SPEECH_LIMIT, CallId, CharacterCommand, OptionalCallId, ServerMessage
+from omote.show.osc import Osc, Value
+
+MacroName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MACRO), Value("text")]
+
+
+class SetMapping(CharacterCommand, frozen=True):
+    """Says what a macro plays from now on, in the place of the mapping of that name; one that plays goes on without a
+    jump. `restore_mapping` with the `key` (the name without one) takes that back. It is kept with the show. An `id`
+    executes once, as of those below."""
+
+    follows_bus = False
+    longest = SPEECH_LIMIT
+
+    id: CallId
+    mapping: MacroMapping
+    key: OptionalCallId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Sets it."""
+        performer.set_mapping(self.mapping, key=self.key)
+
+
+class RenameMapping(CharacterCommand, frozen=True):
+    """Gives a macro another name, in the conditions of others too; nothing changes on air."""
+
+    follows_bus = False
+
+    id: CallId
+    name: MacroName
+    to: MacroName
+    key: OptionalCallId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Renames it."""
+        performer.rename_mapping(self.name, self.to, key=self.key)
+
+
+class DropMapping(CharacterCommand, frozen=True):
+    """Forgets a macro and its mapping; what it gives fades out in .2 s."""
+
+    follows_bus = False
+
+    id: CallId
+    name: MacroName
+    key: OptionalCallId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Drops it."""
+        performer.drop_mapping(self.name, key=self.key)
+
+
+class RestoreMapping(CharacterCommand, frozen=True):
+    """Takes back that mappings were set, renamed or dropped under this `key`; asked again, it is as after that."""
+
+    follows_bus = False
+
+    id: CallId
+    key: Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
+
+    def play(self, performer: Performer) -> None:
+        """Restores them."""
+        performer.restore_mapping(self.key)
+
+
+class MoveMacro(CharacterCommand, frozen=True):
+    """Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
+    them, it is rejected whole."""
+
+    plays = ("channels", "head", "gaze")
+    hand = "plays"
+    osc = (
+        Osc(
+            "macro/{name}",
+            "moves a macro, which plays several targets",
+            ("value",),
+            on_air=lambda state, name: (state.macros[name].value,) if name in state.macros else (),
+            reported=lambda state: ((name,) for name in state.macros),
+        ),
+    )
+
+    name: MacroName
+    value: Annotated[float, Value(low=MACRO_LIMITS[0], high=MACRO_LIMITS[1])]
+
+    def play(self, performer: Performer) -> None:
+        """Plays it."""
+        performer.move_macro(self.name, self.value)
+
+    def control(self, character: str) -> str:
+        """The fader of a macro."""
+        return f"{super().control(character)}:{self.name}"
+
+    def parts_of(self, scene: Scene, character: str) -> Sequence[str]:
+        """The parts that its targets are of. scene: with the character; character: whose macro it is."""
+        mapping = scene[character].mappings.get(self.name) if character in scene else None
+        return () if mapping is None else mapping.parts
+
+
+class MappingList(ServerMessage, frozen=True):
+    """The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
+    each change. `missing`: by character, the channels of them that the cast has not, which give nothing."""
+
+    mappings: dict[str, list[MacroMapping]]
+    missing: dict[str, list[str]] = {}

@@ -1,0 +1,45 @@
+"""What consoles are told of mappings: all of them, whenever one has changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from omote.perform.mappings.mapping import MacroMapping, channels_in
+from omote.perform.scene.scene import Scene
+from omote.perform.snapshot import Playable
+from omote.show.objects.macros import MappingList
+
+
+class ToldMappings:
+    """What consoles know of mappings. scene: on air now; cast: what plays."""
+
+    def __init__(self, scene: Callable[[], Scene], cast: Callable[[], Playable]) -> None:
+        self._scene = scene
+        self._cast = cast
+        self._seen: tuple[object, ...] = ()
+        self._told = MappingList({})
+
+    def news(self) -> MappingList | None:
+        """What consoles were not told yet; None where they know all."""
+        scene = self._scene()
+        now = (self._cast().digest, *((name, scene[name].mappings) for name in scene))
+        if now == self._seen:
+            return None
+        before = self._told
+        self._seen = now
+        self._told = self.list_now()
+        return None if self._told == before else self._told
+
+    def list_now(self) -> MappingList:
+        """All mappings, and the channels of them that there are not."""
+        scene = self._scene()
+        mappings = {name: scene[name].mappings for name in scene if scene[name].mappings}
+        missing = {name: self._missing(each) for name, each in mappings.items()}
+        return MappingList(
+            {name: [*each.values()] for name, each in mappings.items()},
+            {name: channels for name, channels in missing.items() if channels},
+        )
+
+    def _missing(self, mappings: Mapping[str, MacroMapping]) -> list[str]:
+        expressions = self._cast().expressions
+        return [channel for channel in channels_in(mappings.values()) if channel not in expressions]
