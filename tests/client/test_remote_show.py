@@ -45,7 +45,6 @@ NO_CALLS = {
     "leave_layer",
     "recalibrate_layer",
     "note_camera",  # stages say where theirs are
-    "set_mappings",  # of a set-up
     *(
         "play_clip",
         "find_clips",
@@ -95,6 +94,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "stop_speaking": lambda one: one.stop_speaking(),
     "gesture": lambda one: one.gesture("nod", amplitude=0.5, seconds=1.0),
     "set_mapping": lambda one: one.set_mapping(MOUTH, key="k"),
+    "set_mappings": lambda one: one.set_mappings([MOUTH, MOUTH.with_name("jaw")], key="k"),
     "move_macro": lambda one: (one.set_mapping(MOUTH), one.move_macro("mouth", 0.5)),
     "rename_mapping": lambda one: (one.set_mapping(MOUTH), one.rename_mapping("mouth", "jaw", key="k")),
     "drop_mapping": lambda one: (one.set_mapping(MOUTH), one.move_macro("mouth", 1.0), one.drop_mapping("mouth")),

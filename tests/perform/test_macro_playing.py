@@ -118,7 +118,7 @@ def test_changes_on_air_go_on_from_what_shows(performer: Performer) -> None:
         lambda: performer.rename_mapping("mouth", "jaw"),
         lambda: performer.drop_mapping("jaw"),
         lambda: performer.restore_mapping("jaw"),
-        lambda: performer.set_mappings({}, key="all"),
+        lambda: performer.set_mappings([]),
     ]
     for change in changes:
         change()

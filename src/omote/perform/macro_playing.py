@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from omote.perform.axis import weights
 from omote.perform.channels import effective_channels
@@ -81,27 +81,34 @@ class MacroPlaying(SpeechPlaying):
         self._check_channels(mapping)
         self._change_mappings(with_mapping(self._now.mappings, mapping, key))
 
-    def set_mappings(self, mappings: Mapping[str, MacroMapping], *, key: str) -> None:
+    def set_mappings(self, mappings: Iterable[MacroMapping], *, key: str = "") -> None:
         """Changes all mappings at once; macros that are still there stay where they are, without a jump.
 
         Parameters
         ----------
-        mappings : mapping of MacroMapping
-            By name, in the place of all that there are; a channel that the cast has not gives nothing.
+        mappings : sequence of MacroMapping
+            In the place of all that there are; a channel that the cast has not gives nothing.
         key : str
-            What `restore_mapping` finds those before by.
+            What `restore_mapping` finds those before by; "*" where none is given.
 
         Raises
         ------
         ValueError
-            Beyond sixty-four.
+            Beyond sixty-four, and where two have one name.
 
         Examples
         --------
         >>> performer = omote.Performer(cast)
-        >>> performer.set_mappings({}, key="none")
+        >>> performer.set_mappings([omote.MacroMapping("mouth", (omote.MacroTarget("channel/jawOpen"),))])
+        >>> list(performer.mappings)
+        ['mouth']
         """
-        self._change_mappings(with_all(self._now.mappings, mappings, key))
+        listed = [*mappings]
+        wanted = {mapping.name: mapping for mapping in listed}
+        if len(wanted) < len(listed):
+            twice = next(each.name for each in listed if wanted[each.name] is not each)
+            raise ValueError(f"two macros are called {twice}; give one of them another name")
+        self._change_mappings(with_all(self._now.mappings, wanted, key or "*"))
 
     def rename_mapping(self, name: str, to: str, *, key: str = "") -> None:
         """Gives a macro another name, in the conditions of others too; nothing changes on air.
@@ -257,8 +264,22 @@ class MacroPlaying(SpeechPlaying):
             self._given = given_by(now.macros, now.mappings.kept)
         return self._given
 
-    def _faders(self) -> Held:
-        """What hands hold by faders alone."""
+    @property
+    def held_by_faders(self) -> Held:
+        """What hands hold by faders alone, without what macros give.
+
+        Returns
+        -------
+        Held
+            Channels, head and gaze.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.set_channel("jawOpen", 0.4)
+        >>> dict(performer.held_by_faders.channels)
+        {'jawOpen': 0.4}
+        """
         return Held(self._now.channels, self._now.head, self._now.gaze)
 
     def _held(self) -> Held:
@@ -269,7 +290,7 @@ class MacroPlaying(SpeechPlaying):
         if len(before) != len(sources) or any(old is not new for old, new in zip(before, sources, strict=True)):
             self._last_sources = sources
             given = self._sources()
-            self._last_held = self._faders() if not given else self._with_given(given)
+            self._last_held = self.held_by_faders if not given else self._with_given(given)
         return self._last_held
 
     def _with_given(self, given: Mapping[str, list[float]]) -> Held:
@@ -296,6 +317,6 @@ class MacroPlaying(SpeechPlaying):
     def _with_faders(self, frame: Frame) -> Frame:
         """A frame of what hands hold, where macros give something: as it stands, beside what faders hold."""
         if frame.held is not None:
-            return with_fields(frame, held=self._faders())
+            return with_fields(frame, held=self.held_by_faders)
         channels = effective_channels(self._cast.expressions, frame.channels, frame.gaze)
-        return with_fields(frame, channels=channels, held=self._faders())
+        return with_fields(frame, channels=channels, held=self.held_by_faders)

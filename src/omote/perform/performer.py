@@ -591,7 +591,9 @@ class Performer(MacroPlaying):
         return None if is_at_rest(layers) else layers
 
     def _frame(self) -> Frame:
-        return with_gestures(self._frame_without_gestures(), self._now.gestures, self._cast.expressions, self._faders())
+        return with_gestures(
+            self._frame_without_gestures(), self._now.gestures, self._cast.expressions, self.held_by_faders
+        )
 
     def _frame_without_gestures(self) -> Frame:
         now = self._now

@@ -29,6 +29,7 @@ from omote.show.declaration import (
     check_ranges,
 )
 from omote.show.executed_calls import ExecutedCalls
+from omote.show.mapping_learning import MappingLearning
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
@@ -137,6 +138,7 @@ class ShowSession:
         )
         self.texts = TextsToSpeak()
         self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
+        self.learning = MappingLearning(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
         self._own(None)
@@ -207,7 +209,10 @@ class ShowSession:
         unseen = message.follows_bus and self.members.looks_at(who) == "preview"
         if not unseen:
             self._pass_hands(who, message, find_addressed(self.scene, message), now)
+        touched = {} if unseen or not self.learning.is_learner(who) else self.learning.positions(message)
         answers = self.act(who, message, now, unseen=unseen)
+        if touched:
+            self.learning.touch(message, touched, now)
         self.commands += message.open_to == "consoles"
         self._echo(who, message, now, unseen=unseen)
         return list(answers)
@@ -281,6 +286,8 @@ class ShowSession:
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
         self._told += self.clips.end_passes()
+        if self.learning.is_over(now):
+            self._told += self.finish_mapping(now, keeps=True)
         speak_lines(self, now)
         state = self._state(elapsed)
         if self.recorder is not None:
@@ -410,6 +417,8 @@ class ShowSession:
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed. who: the client."""
+        if self.learning.is_learner(who):
+            self.learning.end(keeps=False)
         self.members.leave(who, lost=lost)
         if not self.preview.touched and not self.members.any_in_preview:
             self.preview.forget()
@@ -463,7 +472,7 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
-        news_of_all = (self.clips.news(), self.mappings.news())
+        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news())
         told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
@@ -478,6 +487,12 @@ class ShowSession:
         if len(self.device_messages) >= MOST_DEVICE_MESSAGES:
             raise Refusal("too much comes from devices at once, and this was not played: send less.")
         self.device_messages.append((who, message))
+
+    def finish_mapping(self, now: float, *, keeps: bool) -> list[Outgoing]:
+        """Ends the learning of a mapping, by messages of who taught it; returns what is answered. now: seconds,
+        monotonic; keeps: whether it becomes one."""
+        who, messages = self.learning.end(keeps=keeps)
+        return [answer for message in messages for answer in self.receive(who, message, now)]
 
     def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
         """Takes characters out of all hands: a client (who) has pressed panic, at `now` (seconds, monotonic)."""

@@ -11,7 +11,8 @@ export const STATE_RATE = 60;
  * `bank:NAME`. `axis`: `yaw` of a head; `arguments`: of a call. `low`, `high`: values at both ends of the control
  * (nil: the target's own); `curve`: exponent between them; `pick_up`: a fader acts once it has crossed the value on
  * air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
- * range that one step moves. `bank`: where it plays, "" in all.
+ * range that one step moves. `bank`: where it plays, "" in all. `dead_zone`: how far from its middle a stick counts as
+ * there, 0..0.45 of its way.
  */
 export type BindingDocument = {
   device: string;
@@ -27,6 +28,7 @@ export type BindingDocument = {
   relative: "" | "twos_complement" | "binary_offset" | "sign_magnitude";
   step: number;
   bank: string;
+  dead_zone: number;
 };
 
 /**
@@ -926,6 +928,18 @@ export type Progress = { type: "progress"; request: string; done: number; total:
  */
 export type SetMapping = { type: "set_mapping"; character: string; id: string; mapping: MacroMapping; key?: string };
 
+/**
+ * Changes all mappings of a character at once: macros that are still there stay where they are, what others gave
+ * fades out in .2 s. `restore_mapping` with the `key` ("*" without one) takes that back.
+ */
+export type SetMappings = {
+  type: "set_mappings";
+  character: string;
+  id: string;
+  mappings: MacroMapping[];
+  key?: string;
+};
+
 /** Gives a macro another name, in the conditions of others too; nothing changes on air. */
 export type RenameMapping = {
   type: "rename_mapping";
@@ -947,6 +961,31 @@ export type RestoreMapping = { type: "restore_mapping"; character: string; id: s
  * them, it is rejected whole.
  */
 export type MoveMacro = { type: "move_macro"; character: string; name: string; value: number };
+
+/**
+ * Learns the targets of a macro by touch: what its sender moves of the character from now on, by faders of
+ * channels, head and gaze, up to eight, becomes the mapping, each from where it was to where it is left. Ends by
+ * `finish_mapping`, or after a minute in which nothing is touched. One console teaches at a time.
+ */
+export type LearnMapping = { type: "learn_mapping"; id: string; character: string; name: string };
+
+/**
+ * Ends what `learn_mapping` began: the macro stands at 1 and holds what was touched, and the faders go back to
+ * where they were, so that nothing moves on air. Not to `keep` it forgets what was touched, and leaves it there.
+ */
+export type FinishMapping = { type: "finish_mapping"; id: string; keep?: boolean };
+
+/**
+ * What is learned by touch now, to consoles with each change: of which macro (`name`, "" while nothing is), at
+ * whose console (`by`), and the targets that it has so far.
+ */
+export type MappingLearned = {
+  type: "mapping_learned";
+  character: string;
+  name: string;
+  by: string;
+  targets: MacroTarget[];
+};
 
 /**
  * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
@@ -1164,6 +1203,37 @@ export type RunDocument = {
   pieces: Uint8Array[];
   cues: CalledCue[];
 };
+
+/**
+ * Keeps all mappings and all bindings as they are under a name; one of that name is kept anew. An `id` executes
+ * once.
+ */
+export type KeepSetup = { type: "keep_setup"; id: string; name: string };
+
+/**
+ * Plays by a set-up from now on: its mappings and its bindings in the place of all that there are. Nothing jumps:
+ * macros that are still there stay where they are, what others gave fades out in .2 s, and faders wait to be picked
+ * up. `restore_setup` with this `id` takes it back.
+ */
+export type CallSetup = { type: "call_setup"; id: string; name: string };
+
+/** Forgets a set-up; what plays goes on. `restore_setup` with this `id` takes it back. */
+export type DropSetup = { type: "drop_setup"; id: string; name: string };
+
+/**
+ * Takes back what the message of the id `change` did: what was kept under the name, or what played, is as before
+ * it; that can be taken back itself.
+ */
+export type RestoreSetup = { type: "restore_setup"; id: string; change: string };
+
+/**
+ * The names of all set-ups, in the order in which they were kept first: complete, to consoles after the welcome and
+ * with each change. `called`: the one that was called last, "" where mappings or bindings have changed since.
+ */
+export type SetupList = { type: "setup_list"; names: string[]; called: string };
+
+/** Answers a message about set-ups. `missing`: characters of it that are not there, whose macros are left out. */
+export type SetupChanged = { type: "setup_changed"; id: string; name: string; missing: string[] };
 
 /** The line of notes, and when the show began: seconds of its clock (`State.time`). */
 export type ShowNotes = { note: string; began: number };
@@ -1959,10 +2029,13 @@ export type FromClient =
   | Cancel
   | Ping
   | SetMapping
+  | SetMappings
   | RenameMapping
   | DropMapping
   | RestoreMapping
   | MoveMacro
+  | LearnMapping
+  | FinishMapping
   | KeepMemory
   | CallMemory
   | DeleteMemory
@@ -1980,6 +2053,10 @@ export type FromClient =
   | KeepRecording
   | KeepClip
   | DeleteRecording
+  | KeepSetup
+  | CallSetup
+  | DropSetup
+  | RestoreSetup
   | SetNote
   | BeginShow
   | Source
@@ -2018,8 +2095,11 @@ export type FromServer =
   | Refused
   | Notices
   | Progress
+  | MappingLearned
   | MappingList
   | RecordingKept
+  | SetupList
+  | SetupChanged
   | SourceIs
   | Sources
   | SourceValues

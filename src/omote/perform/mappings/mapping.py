@@ -30,6 +30,8 @@ LONGEST_TARGET = 120
 LONGEST_FOLLOWER = 5.0
 """Seconds."""
 MACRO_LIMITS = (-1.0, 1.0)
+WIDEST = max(CHANNEL_HIGHEST, *HEAD_LIMITS.values(), *GAZE_LIMITS.values())
+"""What any target takes: weights, radians."""
 IN_ADDRESSES = "/*?[]{}# ,"
 """What no name of a macro has: its address of OSC is made of it."""
 _ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
@@ -54,6 +56,11 @@ class HalfBelow:
     TypeError
         On what is no number.
 
+    Examples
+    --------
+    >>> omote.MacroTarget("head/yaw", high=0.4, below=omote.HalfBelow(-0.2)).value_at(-1.0)
+    -0.2
+
     References
     ----------
     docs/method.md, "Mappings".
@@ -64,6 +71,8 @@ class HalfBelow:
 
     def __post_init__(self) -> None:
         """Rejects a curve that there is not."""
+        high = check_within(self.high, -WIDEST, WIDEST, "what a macro gives at -1")
+        object.__setattr__(self, "high", high)
         object.__setattr__(self, "curve", check_knots(self.curve, "the curve below zero"))
 
 
@@ -96,7 +105,7 @@ class MacroTarget:
     Examples
     --------
     >>> brows = omote.MacroTarget("channel/browInnerUp", high=0.8, curve=[(0, 0), (0.5, 0.2), (1, 1)])
-    >>> brows.value_at(0.0), brows.value_at(0.5), brows.value_at(1.0)
+    >>> brows.value_at(0.0), round(brows.value_at(0.5), 3), brows.value_at(1.0)
     (0.0, 0.16, 0.8)
 
     References
@@ -224,6 +233,12 @@ class MacroCondition:
         -------
         bool
             True beyond the level, and until the reading is back behind it by the hysteresis.
+
+        Examples
+        --------
+        >>> smiles = omote.MacroCondition("expression/smile", 0.5, hysteresis=0.1)
+        >>> smiles.opens(0.45, was_open=False), smiles.opens(0.45, was_open=True)
+        (False, True)
         """
         beyond = reading - self.level if self.above else self.level - reading
         return beyond > (-self.hysteresis if was_open else 0.0)
@@ -302,7 +317,28 @@ class MacroMapping:
         return not any(target.low for target in self.targets)
 
     def with_name(self, name: str) -> MacroMapping:
-        """The same for a macro of another name. name: as of the class."""
+        """The same for another macro.
+
+        Parameters
+        ----------
+        name : str
+            Of that macro, as of the class.
+
+        Returns
+        -------
+        MacroMapping
+            With the same targets.
+
+        Raises
+        ------
+        ValueError
+            On a name that none can have.
+
+        Examples
+        --------
+        >>> omote.MacroMapping("mouth", (omote.MacroTarget("channel/jawOpen"),)).with_name("jaw").name
+        'jaw'
+        """
         return replace(self, name=name)
 
 

@@ -7,10 +7,22 @@ from typing import Annotated
 
 import msgspec
 
-from omote.perform.mappings.mapping import LONGEST_MACRO, MACRO_LIMITS, MacroMapping
+from omote.perform.limits import check_known
+from omote.perform.mappings.kept_mappings import MOST_MAPPINGS
+from omote.perform.mappings.mapping import LONGEST_MACRO, MACRO_LIMITS, MacroMapping, MacroTarget, check_macro_name
 from omote.perform.performer import Performer
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import SPEECH_LIMIT, CallId, CharacterCommand, OptionalCallId, ServerMessage
+from omote.show.declaration import (
+    SPEECH_LIMIT,
+    CallId,
+    CharacterCommand,
+    CharacterName,
+    ClientMessage,
+    OptionalCallId,
+    Outgoing,
+    ServerMessage,
+    Session,
+)
 from omote.show.osc import Osc, Value
 
 MacroName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MACRO), Value("text")]
@@ -31,6 +43,22 @@ class SetMapping(CharacterCommand, frozen=True):
     def play(self, performer: Performer) -> None:
         """Sets it."""
         performer.set_mapping(self.mapping, key=self.key)
+
+
+class SetMappings(CharacterCommand, frozen=True):
+    """Changes all mappings of a character at once: macros that are still there stay where they are, what others gave
+    fades out in .2 s. `restore_mapping` with the `key` ("*" without one) takes that back."""
+
+    follows_bus = False
+    longest = SPEECH_LIMIT
+
+    id: CallId
+    mappings: Annotated[list[MacroMapping], msgspec.Meta(max_length=MOST_MAPPINGS)]
+    key: OptionalCallId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Sets them."""
+        performer.set_mappings(self.mappings, key=self.key)
 
 
 class RenameMapping(CharacterCommand, frozen=True):
@@ -106,6 +134,52 @@ class MoveMacro(CharacterCommand, frozen=True):
         """The parts that its targets are of. scene: with the character; character: whose macro it is."""
         mapping = scene[character].mappings.get(self.name) if character in scene else None
         return () if mapping is None else mapping.parts
+
+
+class LearnMapping(ClientMessage, frozen=True):
+    """Learns the targets of a macro by touch: what its sender moves of the character from now on, by faders of
+    channels, head and gaze, up to eight, becomes the mapping, each from where it was to where it is left. Ends by
+    `finish_mapping`, or after a minute in which nothing is touched. One console teaches at a time."""
+
+    access = "operate"
+    recorded = False
+
+    id: CallId
+    character: CharacterName
+    name: MacroName
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Begins it. session: the show; who: the client; now: seconds, monotonic."""
+        check_known(self.character, session.scene, "character")
+        session.learning.begin(who, self.id, self.character, check_macro_name(self.name), now)
+        return ()
+
+
+class FinishMapping(ClientMessage, frozen=True):
+    """Ends what `learn_mapping` began: the macro stands at 1 and holds what was touched, and the faders go back to
+    where they were, so that nothing moves on air. Not to `keep` it forgets what was touched, and leaves it there."""
+
+    access = "operate"
+    recorded = False
+
+    id: CallId
+    keep: bool = True
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Ends it. session: the show; who: the client; now: seconds, monotonic."""
+        if not session.learning.is_learner(who):
+            raise ValueError("nothing is learned here now: begin with learn_mapping")
+        return session.finish_mapping(now, keeps=self.keep)
+
+
+class MappingLearned(ServerMessage, frozen=True):
+    """What is learned by touch now, to consoles with each change: of which macro (`name`, "" while nothing is), at
+    whose console (`by`), and the targets that it has so far."""
+
+    character: str
+    name: str
+    by: str
+    targets: list[MacroTarget]
 
 
 class MappingList(ServerMessage, frozen=True):
