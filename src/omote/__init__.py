@@ -45,6 +45,8 @@ if TYPE_CHECKING:
     from omote.perform.mappings.mapping import MacroCondition as MacroCondition
     from omote.perform.mappings.mapping import MacroMapping as MacroMapping
     from omote.perform.mappings.mapping import MacroTarget as MacroTarget
+    from omote.perform.pads.blend_space import Pad as Pad
+    from omote.perform.pads.blend_space import PadLook as PadLook
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
@@ -78,6 +80,8 @@ _HOMES = {
     "MacroMapping": "omote.perform.mappings.mapping",
     "MacroTarget": "omote.perform.mappings.mapping",
     "Move": "omote.perform.cues.cue",
+    "Pad": "omote.perform.pads.blend_space",
+    "PadLook": "omote.perform.pads.blend_space",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Renderer": "omote.server.headless.picture_renderer",

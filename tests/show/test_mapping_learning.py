@@ -9,8 +9,8 @@ from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.show.mapping_learning import LEARNS_SECONDS
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.faders import SetChannel, SetHead
+from omote.show.objects.hand.macros import FinishMapping, LearnMapping, MappingLearned
 from omote.show.objects.link import Hello, Refused
-from omote.show.objects.macros import FinishMapping, LearnMapping, MappingLearned
 from omote.show.session import ShowSession
 
 

@@ -28,6 +28,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts", "speak"),
     "Clips": ("Clip", "Lane"),
     "Macros": ("MacroMapping", "MacroTarget", "HalfBelow", "MacroCondition"),
+    "Pads": ("Pad", "PadLook"),
     "Cues": ("CuePlayer", "Cue", "Move", "CueAction", "read_cues", "write_cues"),
     "Pictures": ("render", "Renderer", "draw_stimuli"),
     "Expressions": ("compound", "extract", "ExtractedExpression", "take_expressions", "ControlNet", "action_units"),

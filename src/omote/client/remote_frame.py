@@ -16,6 +16,7 @@ from omote.perform.frame import (
     LayerStatus,
     MacroStatus,
     MotionSettings,
+    PadStatus,
     SourceStatus,
     SpeechStatus,
 )
@@ -51,6 +52,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
             ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
         macros={name: MacroStatus(macro.value, macro.share) for name, macro in character.macros.items()},
+        pads={name: PadStatus(tuple(point.place), point.plays) for name, point in character.pads.items()},
     )
 
 

@@ -601,6 +601,8 @@ class Performer(MacroPlaying):
         frame = _frame(now, held)
         if now.clips:
             frame = with_fields(frame, clips=self._clip_statuses())
+        if now.pads:
+            frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
             frame = with_layers(frame, self._layers, self._cast.expressions, held, now.easing_to_rest, self._mixes)
         return self._with_faders(frame) if self._sources() else frame
@@ -674,6 +676,7 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
         speaking=None,
         gestures=release_gestures(now.gestures),
         macros=NO_MACROS,
+        pads={},
     )
 
 

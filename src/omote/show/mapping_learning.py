@@ -11,7 +11,7 @@ from omote.perform.mappings.mapping import CHANNEL, GAZE, HEAD, MOST_TARGETS, Ma
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import ClientMessage
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
-from omote.show.objects.macros import MappingLearned, MoveMacro, SetMapping
+from omote.show.objects.hand.macros import MappingLearned, MoveMacro, SetMapping
 
 LEARNS_SECONDS = 60.0
 """After which learning ends by itself, where nothing is touched: what was touched is kept."""

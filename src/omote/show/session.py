@@ -40,6 +40,7 @@ from omote.show.objects.stages import CastChanged, Crew
 from omote.show.objects.state import State
 from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
+from omote.show.pad_list import PadListing, list_pads
 from omote.show.preview_bus import PreviewBus
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
@@ -136,6 +137,7 @@ class ShowSession:
             self._note_clips,
             lambda said: self.lost.append(said),
         )
+        self._pads = PadListing(self.scene.pads, cast)
         self.texts = TextsToSpeak()
         self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
         self.learning = MappingLearning(lambda: self.scene, lambda who: self.members[who].name)
@@ -165,7 +167,7 @@ class ShowSession:
 
     def _own(self, snapshot: LeaseSnapshot | None) -> None:
         """Begins with one table of who holds, wants and moves what; snapshot: the leases of before."""
-        self.leasing = Leasing(self.members, lambda: self.scene, snapshot)
+        self.leasing = Leasing(self.members, snapshot, lambda: self.scene)
         self._hands = HandReports(self.leasing.table)
 
     def snapshot(self) -> SessionSnapshot:
@@ -472,7 +474,8 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
-        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news())
+        pads = self._pads.news(self.scene.pads, self.cast, now)
+        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news(), pads)
         told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
@@ -540,6 +543,8 @@ class ShowSession:
             lists.append(Outgoing(who, mappings))
         if hello.role == "console" and self.named_sounds.sounds:
             lists.append(Outgoing(who, self.named_sounds.message()))
+        if hello.role == "console" and self.scene.pads:
+            lists.append(Outgoing(who, list_pads(self.scene.pads, self.cast)))
         return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from omote.perform.mappings.mapping import MacroMapping, channels_in
 from omote.perform.scene.scene import Scene
 from omote.perform.snapshot import Playable
-from omote.show.objects.macros import MappingList
+from omote.show.objects.hand.macros import MappingList
 
 
 class ToldMappings:

@@ -10,9 +10,9 @@ from omote.inputs.page_devices.setup_commands import SetupCommands
 from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.show.objects.bindings import Bind, BindingDocument, BindingList
 from omote.show.objects.devices import MidiBytes, Plug
+from omote.show.objects.hand.macros import DropMapping, MoveMacro, SetMapping
+from omote.show.objects.hand.setups import CallSetup, DropSetup, KeepSetup, RestoreSetup, SetupChanged, SetupList
 from omote.show.objects.link import Refused
-from omote.show.objects.macros import DropMapping, MoveMacro, SetMapping
-from omote.show.objects.setups import CallSetup, DropSetup, KeepSetup, RestoreSetup, SetupChanged, SetupList
 from tests.inputs.page_devices.device_room import Room
 
 PAD = "my pad"

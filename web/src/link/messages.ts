@@ -717,6 +717,177 @@ export type SetGazePoint = { type: "set_gaze_point"; id: string; name: string; x
 /** Forgets a gaze point; who looked at it looks ahead. */
 export type DeleteGazePoint = { type: "delete_gaze_point"; id: string; name: string };
 
+/**
+ * Says what a macro plays from now on, in the place of the mapping of that name; one that plays goes on without a
+ * jump. `restore_mapping` with the `key` (the name without one) takes that back. It is kept with the show. An `id`
+ * executes once, as of those below.
+ */
+export type SetMapping = { type: "set_mapping"; character: string; id: string; mapping: MacroMapping; key?: string };
+
+/**
+ * Changes all mappings of a character at once: macros that are still there stay where they are, what others gave
+ * fades out in .2 s. `restore_mapping` with the `key` ("*" without one) takes that back.
+ */
+export type SetMappings = {
+  type: "set_mappings";
+  character: string;
+  id: string;
+  mappings: MacroMapping[];
+  key?: string;
+};
+
+/** Gives a macro another name, in the conditions of others too; nothing changes on air. */
+export type RenameMapping = {
+  type: "rename_mapping";
+  character: string;
+  id: string;
+  name: string;
+  to: string;
+  key?: string;
+};
+
+/** Forgets a macro and its mapping; what it gives fades out in .2 s. */
+export type DropMapping = { type: "drop_mapping"; character: string; id: string; name: string; key?: string };
+
+/** Takes back that mappings were set, renamed or dropped under this `key`; asked again, it is as after that. */
+export type RestoreMapping = { type: "restore_mapping"; character: string; id: string; key: string };
+
+/**
+ * Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
+ * them, it is rejected whole.
+ */
+export type MoveMacro = { type: "move_macro"; character: string; name: string; value: number };
+
+/**
+ * Learns the targets of a macro by touch: what its sender moves of the character from now on, by faders of
+ * channels, head and gaze, up to eight, becomes the mapping, each from where it was to where it is left. Ends by
+ * `finish_mapping`, or after a minute in which nothing is touched. One console teaches at a time.
+ */
+export type LearnMapping = { type: "learn_mapping"; id: string; character: string; name: string };
+
+/**
+ * Ends what `learn_mapping` began: the macro stands at 1 and holds what was touched, and the faders go back to
+ * where they were, so that nothing moves on air. Not to `keep` it forgets what was touched, and leaves it there.
+ */
+export type FinishMapping = { type: "finish_mapping"; id: string; keep?: boolean };
+
+/**
+ * What is learned by touch now, to consoles with each change: of which macro (`name`, "" while nothing is), at
+ * whose console (`by`), and the targets that it has so far.
+ */
+export type MappingLearned = {
+  type: "mapping_learned";
+  character: string;
+  name: string;
+  by: string;
+  targets: MacroTarget[];
+};
+
+/**
+ * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
+ * each change. `missing`: by character, the channels of them that the cast has not, which give nothing.
+ */
+export type MappingList = {
+  type: "mapping_list";
+  mappings: Record<string, MacroMapping[]>;
+  missing: Record<string, string[]>;
+};
+
+/**
+ * Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12
+ * `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One
+ * of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
+ * `restore_pad` with the `key` (the name without one) takes it back; with a key several changes, one after the other,
+ * together. An `id` executes once, as of those below.
+ */
+export type SetPad = {
+  type: "set_pad";
+  id: string;
+  name: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  dimensions: number;
+  looks: PadLook[];
+  key?: string;
+};
+
+/** Gives a pad another name (`to`); what it plays it plays on. Cues that move it call it by its old name. */
+export type RenamePad = { type: "rename_pad"; id: string; name: string; to: string; key?: string };
+
+/** Keeps a copy of a pad under another name (`to`). */
+export type CopyPad = { type: "copy_pad"; id: string; name: string; to: string; key?: string };
+
+/** Forgets a pad; what it shows stays on air. */
+export type DropPad = { type: "drop_pad"; id: string; name: string; key?: string };
+
+/**
+ * Keeps the pads that come with the cast, as a new show has them; pads of the same names make way. Without a `key`
+ * `restore_pad` finds those before by `cast pads`.
+ */
+export type AddCastPads = { type: "add_cast_pads"; id: string; key?: string };
+
+/** Takes the change of pads back that was made under this `key`; asked again, it is as after that. */
+export type RestorePad = { type: "restore_pad"; id: string; key: string };
+
+/** A pad, as of `set_pad`. `missing`: the names of its looks that the cast does not have; they count as neutral. */
+export type PadState = {
+  name: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  dimensions: number;
+  looks: PadLook[];
+  missing: string[];
+};
+
+/**
+ * The pads of the show, in the order in which they came: complete, to consoles after the welcome and with each
+ * change, ten times a second at most. Where the points of a character are stands in its state.
+ */
+export type PadList = { type: "pad_list"; pads: PadState[] };
+
+/**
+ * Moves the point of a pad on a character, -1..1 for each of its dimensions; `None` leaves one where it is. What
+ * the pad plays shows the mixture of its looks there, from whatever shows, without a jump. It needs all parts that the
+ * pad plays.
+ */
+export type MovePad = {
+  type: "move_pad";
+  character: string;
+  name: string;
+  x?: number | null;
+  y?: number | null;
+  z?: number | null;
+};
+
+/**
+ * Keeps all mappings and all bindings as they are under a name; one of that name is kept anew. An `id` executes
+ * once.
+ */
+export type KeepSetup = { type: "keep_setup"; id: string; name: string };
+
+/**
+ * Plays by a set-up from now on: its mappings and its bindings in the place of all that there are. Nothing jumps:
+ * macros that are still there stay where they are, what others gave fades out in .2 s, and faders wait to be picked
+ * up. `restore_setup` with this `id` takes it back.
+ */
+export type CallSetup = { type: "call_setup"; id: string; name: string };
+
+/** Forgets a set-up; what plays goes on. `restore_setup` with this `id` takes it back. */
+export type DropSetup = { type: "drop_setup"; id: string; name: string };
+
+/**
+ * Takes back what the message of the id `change` did: what was kept under the name, or what played, is as before
+ * it; that can be taken back itself.
+ */
+export type RestoreSetup = { type: "restore_setup"; id: string; change: string };
+
+/**
+ * The names of all set-ups, in the order in which they were kept first: complete, to consoles after the welcome and
+ * with each change. `called`: the one that was called last, "" where mappings or bindings have changed since.
+ */
+export type SetupList = { type: "setup_list"; names: string[]; called: string };
+
+/** Answers a message about set-ups. `missing`: characters of it that are not there, whose macros are left out. */
+export type SetupChanged = { type: "setup_changed"; id: string; name: string; missing: string[] };
+
 /** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
 export type KeepFace = { type: "keep_face"; character: string; id: string };
 
@@ -920,82 +1091,6 @@ export type Notices = { type: "notices"; notices: Notice[] };
  * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
  */
 export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
-
-/**
- * Says what a macro plays from now on, in the place of the mapping of that name; one that plays goes on without a
- * jump. `restore_mapping` with the `key` (the name without one) takes that back. It is kept with the show. An `id`
- * executes once, as of those below.
- */
-export type SetMapping = { type: "set_mapping"; character: string; id: string; mapping: MacroMapping; key?: string };
-
-/**
- * Changes all mappings of a character at once: macros that are still there stay where they are, what others gave
- * fades out in .2 s. `restore_mapping` with the `key` ("*" without one) takes that back.
- */
-export type SetMappings = {
-  type: "set_mappings";
-  character: string;
-  id: string;
-  mappings: MacroMapping[];
-  key?: string;
-};
-
-/** Gives a macro another name, in the conditions of others too; nothing changes on air. */
-export type RenameMapping = {
-  type: "rename_mapping";
-  character: string;
-  id: string;
-  name: string;
-  to: string;
-  key?: string;
-};
-
-/** Forgets a macro and its mapping; what it gives fades out in .2 s. */
-export type DropMapping = { type: "drop_mapping"; character: string; id: string; name: string; key?: string };
-
-/** Takes back that mappings were set, renamed or dropped under this `key`; asked again, it is as after that. */
-export type RestoreMapping = { type: "restore_mapping"; character: string; id: string; key: string };
-
-/**
- * Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
- * them, it is rejected whole.
- */
-export type MoveMacro = { type: "move_macro"; character: string; name: string; value: number };
-
-/**
- * Learns the targets of a macro by touch: what its sender moves of the character from now on, by faders of
- * channels, head and gaze, up to eight, becomes the mapping, each from where it was to where it is left. Ends by
- * `finish_mapping`, or after a minute in which nothing is touched. One console teaches at a time.
- */
-export type LearnMapping = { type: "learn_mapping"; id: string; character: string; name: string };
-
-/**
- * Ends what `learn_mapping` began: the macro stands at 1 and holds what was touched, and the faders go back to
- * where they were, so that nothing moves on air. Not to `keep` it forgets what was touched, and leaves it there.
- */
-export type FinishMapping = { type: "finish_mapping"; id: string; keep?: boolean };
-
-/**
- * What is learned by touch now, to consoles with each change: of which macro (`name`, "" while nothing is), at
- * whose console (`by`), and the targets that it has so far.
- */
-export type MappingLearned = {
-  type: "mapping_learned";
-  character: string;
-  name: string;
-  by: string;
-  targets: MacroTarget[];
-};
-
-/**
- * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
- * each change. `missing`: by character, the channels of them that the cast has not, which give nothing.
- */
-export type MappingList = {
-  type: "mapping_list";
-  mappings: Record<string, MacroMapping[]>;
-  missing: Record<string, string[]>;
-};
 
 /**
  * Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, head and
@@ -1203,37 +1298,6 @@ export type RunDocument = {
   pieces: Uint8Array[];
   cues: CalledCue[];
 };
-
-/**
- * Keeps all mappings and all bindings as they are under a name; one of that name is kept anew. An `id` executes
- * once.
- */
-export type KeepSetup = { type: "keep_setup"; id: string; name: string };
-
-/**
- * Plays by a set-up from now on: its mappings and its bindings in the place of all that there are. Nothing jumps:
- * macros that are still there stay where they are, what others gave fades out in .2 s, and faders wait to be picked
- * up. `restore_setup` with this `id` takes it back.
- */
-export type CallSetup = { type: "call_setup"; id: string; name: string };
-
-/** Forgets a set-up; what plays goes on. `restore_setup` with this `id` takes it back. */
-export type DropSetup = { type: "drop_setup"; id: string; name: string };
-
-/**
- * Takes back what the message of the id `change` did: what was kept under the name, or what played, is as before
- * it; that can be taken back itself.
- */
-export type RestoreSetup = { type: "restore_setup"; id: string; change: string };
-
-/**
- * The names of all set-ups, in the order in which they were kept first: complete, to consoles after the welcome and
- * with each change. `called`: the one that was called last, "" where mappings or bindings have changed since.
- */
-export type SetupList = { type: "setup_list"; names: string[]; called: string };
-
-/** Answers a message about set-ups. `missing`: characters of it that are not there, whose macros are left out. */
-export type SetupChanged = { type: "setup_changed"; id: string; name: string; missing: string[] };
 
 /** The line of notes, and when the show began: seconds of its clock (`State.time`). */
 export type ShowNotes = { note: string; began: number };
@@ -1624,6 +1688,12 @@ export type ClipState = {
 export type MacroState = { value: number; share: number };
 
 /**
+ * The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
+ * nothing else has taken over since.
+ */
+export type PadPointState = { place: number[]; plays: boolean };
+
+/**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
  * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
@@ -1634,7 +1704,8 @@ export type MacroState = { value: number; share: number };
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
- * `macros`: all that it has.
+ * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
+ * last panic.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1665,6 +1736,7 @@ export type CharacterState = {
   spoken: string;
   clips: ClipState[];
   macros: Record<string, MacroState>;
+  pads: Record<string, PadPointState>;
 };
 
 /**
@@ -2011,6 +2083,25 @@ export type FromClient =
   | SetGaze
   | SetGazePoint
   | DeleteGazePoint
+  | SetMapping
+  | SetMappings
+  | RenameMapping
+  | DropMapping
+  | RestoreMapping
+  | MoveMacro
+  | LearnMapping
+  | FinishMapping
+  | SetPad
+  | RenamePad
+  | CopyPad
+  | DropPad
+  | AddCastPads
+  | RestorePad
+  | MovePad
+  | KeepSetup
+  | CallSetup
+  | DropSetup
+  | RestoreSetup
   | KeepFace
   | KeepExpression
   | RenameItem
@@ -2028,14 +2119,6 @@ export type FromClient =
   | Hello
   | Cancel
   | Ping
-  | SetMapping
-  | SetMappings
-  | RenameMapping
-  | DropMapping
-  | RestoreMapping
-  | MoveMacro
-  | LearnMapping
-  | FinishMapping
   | KeepMemory
   | CallMemory
   | DeleteMemory
@@ -2053,10 +2136,6 @@ export type FromClient =
   | KeepRecording
   | KeepClip
   | DeleteRecording
-  | KeepSetup
-  | CallSetup
-  | DropSetup
-  | RestoreSetup
   | SetNote
   | BeginShow
   | Source
@@ -2085,6 +2164,11 @@ export type FromServer =
   | InputLog
   | DeviceBytes
   | Hands
+  | MappingLearned
+  | MappingList
+  | PadList
+  | SetupList
+  | SetupChanged
   | Kept
   | ItemChanged
   | Layouts
@@ -2095,11 +2179,7 @@ export type FromServer =
   | Refused
   | Notices
   | Progress
-  | MappingLearned
-  | MappingList
   | RecordingKept
-  | SetupList
-  | SetupChanged
   | SourceIs
   | Sources
   | SourceValues
@@ -2144,6 +2224,14 @@ export type Cue = {
   goes_on: "" | "continue" | "follow";
   skip: boolean;
   actions: CueAction[];
+};
+
+/** What a pad shows at one place. */
+
+export type PadLook = {
+  label: string;
+  mix: Record<string, number>;
+  place: number[];
 };
 
 /** The half of a target below the middle of its macro. */

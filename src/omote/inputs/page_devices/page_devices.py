@@ -32,8 +32,8 @@ from omote.show.objects.devices import (
     Unplug,
     WatchDevices,
 )
+from omote.show.objects.hand.setups import SetupMessage
 from omote.show.objects.link import Refused
-from omote.show.objects.setups import SetupMessage
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
 

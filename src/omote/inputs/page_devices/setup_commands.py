@@ -14,8 +14,8 @@ from omote.perform.limits import check_known
 from omote.perform.mappings.mapping import MacroMapping
 from omote.show.declaration import SPEECH_LIMIT
 from omote.show.objects.documents import read_document as read_stored
-from omote.show.objects.macros import SetMappings
-from omote.show.objects.setups import (
+from omote.show.objects.hand.macros import SetMappings
+from omote.show.objects.hand.setups import (
     CallSetup,
     DropSetup,
     KeepSetup,

@@ -51,8 +51,8 @@ from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.source_report import SourceReport
 from omote.show.objects.bindings import StoredBindings
+from omote.show.objects.hand.setups import StoredSetup
 from omote.show.objects.performers import StoredPerformer
-from omote.show.objects.setups import StoredSetup
 from omote.show.session import ShowSession
 from omote.showfile.changes import Change, DocumentRemoval, StoredDocument
 

@@ -139,6 +139,14 @@ class MacroState(msgspec.Struct, frozen=True):
     share: float
 
 
+class PadPointState(msgspec.Struct, frozen=True):
+    """The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
+    nothing else has taken over since."""
+
+    place: list[float]
+    plays: bool = True
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -151,7 +159,8 @@ class CharacterState(msgspec.Struct, frozen=True):
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
-    `macros`: all that it has.
+    `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
+    last panic.
     """
 
     faces: dict[str, float]
@@ -182,6 +191,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     spoken: str = ""
     clips: list[ClipState] = []
     macros: dict[str, MacroState] = {}
+    pads: dict[str, PadPointState] = {}
 
 
 class State(ServerMessage, frozen=True):

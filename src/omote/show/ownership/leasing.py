@@ -43,9 +43,9 @@ class LeaseSnapshot:
 
 
 class Leasing:
-    """Who may command what. members: who is connected; scene: on air now."""
+    """Who may command what. members: who is connected; scene: the one on air, whichever the session has now."""
 
-    def __init__(self, members: Members, scene: Callable[[], Scene], snapshot: LeaseSnapshot | None = None) -> None:
+    def __init__(self, members: Members, snapshot: LeaseSnapshot | None, scene: Callable[[], Scene]) -> None:
         before = snapshot or LeaseSnapshot()
         self.seats = Seats(before.seats)
         held = {key: seat for key, seat in before.held.items() if seat in self.seats}

@@ -60,21 +60,12 @@ def keys_of(characters: Iterable[str], part: str, *, whole_scene: bool = False) 
 
 
 def keys_played(message: ClientMessage, characters: Iterable[str], scene: Scene) -> tuple[str, ...]:
-    """The parts of some characters that a message plays; none where it passes whoever holds what.
-
-    scene: with the characters.
-    """
-    plays = message.plays
-    if plays is None:
-        return ()
-    region = getattr(message, "region", None)
-    if region in REGION_PARTS:
-        plays = region
+    """The parts of some characters of a scene that a message plays; none where it passes whoever holds what."""
     whom = tuple(characters)
-    own = {character: message.parts_of(scene, character) for character in whom}
-    if any(own.values()):
-        return tuple(key_of(character, part) for character, parts in own.items() for part in parts)
-    parts = (plays,) if isinstance(plays, str) else plays
+    region = getattr(message, "region", None)
+    parts = message.parts_played(scene)
+    if parts and region in REGION_PARTS:
+        parts = (region,)
     return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))
 
 

@@ -33,6 +33,7 @@ const CALM: CharacterState = {
   spoken: "",
   clips: [],
   macros: {},
+  pads: {},
 };
 const REST: State = {
   type: "state",

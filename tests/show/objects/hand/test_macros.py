@@ -13,9 +13,7 @@ from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMappi
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import Panic
 from omote.show.objects.faders import SetChannel, SetHead
-from omote.show.objects.leases import SetLeases
-from omote.show.objects.link import Hello, Refused
-from omote.show.objects.macros import (
+from omote.show.objects.hand.macros import (
     DropMapping,
     MappingList,
     MoveMacro,
@@ -23,6 +21,8 @@ from omote.show.objects.macros import (
     RestoreMapping,
     SetMapping,
 )
+from omote.show.objects.leases import SetLeases
+from omote.show.objects.link import Hello, Refused
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.wire import decode, encode

@@ -11,6 +11,7 @@ from omote.perform.limits import check_known
 from omote.perform.mappings.kept_mappings import MOST_MAPPINGS
 from omote.perform.mappings.mapping import LONGEST_MACRO, MACRO_LIMITS, MacroMapping, MacroTarget, check_macro_name
 from omote.perform.performer import Performer
+from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import (
     SPEECH_LIMIT,
@@ -107,7 +108,6 @@ class MoveMacro(CharacterCommand, frozen=True):
     """Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
     them, it is rejected whole."""
 
-    plays = ("channels", "head", "gaze")
     hand = "plays"
     osc = (
         Osc(
@@ -130,10 +130,11 @@ class MoveMacro(CharacterCommand, frozen=True):
         """The fader of a macro."""
         return f"{super().control(character)}:{self.name}"
 
-    def parts_of(self, scene: Scene, character: str) -> Sequence[str]:
-        """The parts that its targets are of. scene: with the character; character: whose macro it is."""
-        mapping = scene[character].mappings.get(self.name) if character in scene else None
-        return () if mapping is None else mapping.parts
+    def parts_played(self, scene: Scene) -> tuple[str, ...]:
+        """The parts that its targets are of; none where there is no macro of the name. scene: that has it."""
+        names = scene if self.character == ALL else [self.character]
+        mappings = [scene[name].mappings.get(self.name) for name in names if name in scene]
+        return tuple(dict.fromkeys(part for mapping in mappings if mapping is not None for part in mapping.parts))
 
 
 class LearnMapping(ClientMessage, frozen=True):
