@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from omote.model.known_names import NEUTRAL
 from omote.perform.axis import weights
 from omote.perform.channels import effective_channels
 from omote.perform.frame import Frame, Gaze, Head, Held, with_fields
@@ -17,20 +18,32 @@ from omote.perform.mappings.kept_mappings import (
     without_mapping,
 )
 from omote.perform.mappings.macros import Macros, advance_macros, follow_change, given_by, move_macro
-from omote.perform.mappings.mapping import CHANNEL, HEAD, MacroCondition, MacroMapping, channels_in
+from omote.perform.mappings.mapping import (
+    CHANNEL,
+    HEAD,
+    PAD,
+    MacroCondition,
+    MacroMapping,
+    axis_of_pad,
+    places_in,
+)
 from omote.perform.mappings.soft_limit import soft_sum
 from omote.perform.mix import Weights
+from omote.perform.pads.blend_space import AXES, PLACE_RANGE
+from omote.perform.pads.pad_point import TAKE_UP_SECONDS
 from omote.perform.speech_playing import SpeechPlaying
 
 FULL_CHANNEL = (CHANNEL_LOWEST, 1.0)
 """Where the sum of sources of a channel ends; one alone may go beyond, as a fader does."""
 NOTHING_GIVEN: Mapping[str, list[float]] = {}
+NO_PLACES: Mapping[str, float] = {}
 
 
 class MacroPlaying(SpeechPlaying):
     """Keeps mappings and plays their macros: what they give is of hands, beside what faders hold."""
 
     _given: Mapping[str, list[float]] = NOTHING_GIVEN
+    _places: Mapping[str, float] = NO_PLACES
     _given_of: Macros | None = None
     _last_held: Held
     _last_sources: tuple[object, ...] = ()
@@ -229,9 +242,9 @@ class MacroPlaying(SpeechPlaying):
         self._now = with_fields(now, mappings=later, macros=macros)
 
     def _check_channels(self, mapping: MacroMapping) -> None:
-        units = [name for name in self._cast.expressions if name != "neutral"]
-        for channel in channels_in([mapping]):
-            if channel not in self._cast.expressions or channel == "neutral":
+        units = [name for name in self._cast.expressions if name != NEUTRAL]
+        for kind, channel in places_in([mapping]):
+            if kind == CHANNEL and (channel not in self._cast.expressions or channel == NEUTRAL):
                 check_known(channel, units, "channel")
 
     def _reading(self, condition: MacroCondition) -> float:
@@ -254,14 +267,38 @@ class MacroPlaying(SpeechPlaying):
             return
         later = advance_macros(macros, now.mappings.kept, self._reading, dt)
         if later is not macros:
+            self._sources()
+            before = self._places
             self._now = with_fields(now, macros=later)
+            self._sources()
+            if self._places or before:
+                self._move_points(before, self._places)
+
+    def _move_points(self, before: Mapping[str, float], places: Mapping[str, float]) -> None:
+        """Moves the points of pads where macros have moved one; who moves a pad last has it. before, places: by pad and
+        axis."""
+        moved = dict[str, dict[str, float]]()
+        for name in {**before, **places}:
+            if before.get(name) != places.get(name):
+                pad, axis = axis_of_pad(name)
+                moved.setdefault(pad, {})[axis] = places.get(name, 0.0)
+        for name, numbers in moved.items():
+            worn = self._pads.get(name)
+            if worn is None:
+                continue
+            x, y, z = (numbers.get(axis) if place < worn.dimensions else None for place, axis in enumerate(AXES))
+            place = worn.moved(self._now.pads.get(name, ()), x, y, z)
+            self._now = with_fields(self._now, **self._moved(worn, place, TAKE_UP_SECONDS))
 
     def _sources(self) -> Mapping[str, list[float]]:
-        """What macros give now, by target; the same object until one moves."""
+        """What macros give channels, head and gaze now, by target; the same object until one moves."""
         now = self._now
         if now.macros is not self._given_of:
             self._given_of = now.macros
-            self._given = given_by(now.macros, now.mappings.kept)
+            given = given_by(now.macros, now.mappings.kept)
+            points = [to for to in given if to.startswith(f"{PAD}/")]
+            self._places = {to.partition("/")[2]: soft_sum(given.pop(to), *PLACE_RANGE) for to in points}
+            self._given = given
         return self._given
 
     @property

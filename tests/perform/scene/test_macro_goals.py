@@ -8,6 +8,7 @@ from omote.model.cast import Cast
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_player import CuePlayer
 from omote.perform.mappings.mapping import MacroMapping, MacroTarget
+from omote.perform.pads.blend_space import Pad, PadLook
 from omote.perform.scene.scene import Scene
 
 
@@ -48,3 +49,21 @@ def test_what_there_is_not_is_refused(scene: Scene) -> None:
     for goal, said in (({"eyes": 0.5}, "no macro 'eyes'"), ({"mouth": 2.0}, "-1 to 1"), ({"a/b": 0.5}, "addresses")):
         with pytest.raises(ValueError, match=said):
             scene.call_goal("one/macros", goal)
+
+
+def test_a_macro_moves_the_point_of_a_pad_until_another_hand_does(scene: Scene, cast: Cast) -> None:
+    one, other = sorted(name for name in cast.expressions if name != "neutral")[:2]
+    looks = [PadLook(one, {one: 1.0}, (-1.0, 0.0)), PadLook(other, {other: 1.0}, (1.0, 0.0))]
+    scene.set_pad(Pad("mix", "expression", 2, looks))
+    targets = (MacroTarget("pad/mix/x", low=-1.0, rise=0.1), MacroTarget("pad/gone/x"), MacroTarget("pad/mix/z"))
+    scene["one"].set_mapping(MacroMapping("blend", targets))
+    scene["one"].move_macro("blend", 1.0)
+    frame = [scene.advance(1 / 60) for _ in range(90)][-1].characters["one"].frame
+    assert dict(frame.expressions) == {other: 1.0}
+    assert frame.pads["mix"].place == (1.0, 0.0)
+    scene.move_pad("one", "mix", 0.25, 0.5)
+    assert scene.advance(1.0).characters["one"].frame.pads["mix"].place == (0.25, 0.5)
+    scene["one"].move_macro("blend", 0.5)
+    assert scene.advance(8.0).characters["one"].frame.pads["mix"].place == (0.0, 0.5)
+    scene["one"].drop_mapping("blend")
+    assert scene.advance(1.0).characters["one"].frame.pads["mix"].place == (0.0, 0.5)

@@ -13,7 +13,15 @@ from omote.perform.frame import MacroStatus, with_fields
 from omote.perform.layers.follower import LONGEST_STEP, NEAR, rate_of, steps_of
 from omote.perform.limits import check_known, check_within
 from omote.perform.mappings.kept_mappings import ByName, renaming_in
-from omote.perform.mappings.mapping import CHANNEL, MACRO_LIMITS, MacroCondition, MacroMapping, MacroTarget, range_of
+from omote.perform.mappings.mapping import (
+    CHANNEL,
+    MACRO_LIMITS,
+    PAD,
+    MacroCondition,
+    MacroMapping,
+    MacroTarget,
+    range_of,
+)
 
 GATE_SECONDS = 0.2
 """In which a macro whose condition opens or shuts has gone nine tenths of the way."""
@@ -230,7 +238,8 @@ def _difference(
     after: MacroMapping | None,
     fading: Mapping[str, Pair],
 ) -> dict[str, Pair]:
-    """What a mapping gave beyond what it gives from now on, with what was fading of it already."""
+    """What a mapping gave beyond what it gives from now on, with what was fading of it already; the points of pads stay
+    where they are."""
     share = state.gate[1]
     gone = {to: pair[1] for to, pair in fading.items()}
     for target, pair in zip(before.targets, state.given, strict=True):
@@ -238,7 +247,7 @@ def _difference(
     if later is not None and after is not None:
         for target, pair in zip(after.targets, later.given, strict=True):
             gone[target.to] = gone.get(target.to, 0.0) - pair[1] * share
-    return {to: (value, value) for to, value in gone.items() if value}
+    return {to: (value, value) for to, value in gone.items() if value and not to.startswith(f"{PAD}/")}
 
 
 def check_macros(macros: Macros, mappings: ByName) -> None:

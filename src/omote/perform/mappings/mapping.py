@@ -17,12 +17,14 @@ from omote.perform.limits import (
     check_within,
 )
 from omote.perform.mappings.monotone_curve import STRAIGHT, Knots, check_knots, curve_at
+from omote.perform.pads.blend_space import AXES, PLACE_RANGE
 
-TargetKind = Literal["channel", "head", "gaze"]
+TargetKind = Literal["channel", "head", "gaze", "pad"]
 ReadKind = Literal["macro", "channel", "expression"]
 CHANNEL = "channel"
 HEAD = "head"
 GAZE = "gaze"
+PAD = "pad"
 MOST_TARGETS = 8
 LONGEST_MACRO = 40
 LONGEST_TARGET = 120
@@ -83,10 +85,11 @@ class MacroTarget:
     Parameters
     ----------
     to : str
-        `channel/jawOpen`, `head/yaw` (pitch, roll) or `gaze/yaw` (pitch).
+        `channel/jawOpen`, `head/yaw` (pitch, roll), `gaze/yaw` (pitch), or `pad/mouth/x` (y, z), where the point of a
+        pad is.
     low, high : float
-        What it gives where the macro is at 0 and at 1, in the unit of the target (weights, radians); `low` may be the
-        higher one.
+        What it gives where the macro is at 0 and at 1, in the unit of the target (weights, radians, places); `low` may
+        be the higher one.
     curve : sequence of pairs of float
         Two to seven knots of the way between: where the macro is, 0 to 1, and the part of the way from `low` to
         `high`; the first is (0, 0).
@@ -306,12 +309,6 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
-    def parts(self) -> tuple[str, ...]:
-        """The parts of the character that it plays, each once: channels, head, gaze."""
-        kinds = (target.place[0] for target in self.targets)
-        return tuple(dict.fromkeys("channels" if kind == CHANNEL else kind for kind in kinds))
-
-    @cached_property
     def is_nothing_at_rest(self) -> bool:
         """Whether it gives nothing where it is at 0."""
         return not any(target.low for target in self.targets)
@@ -347,13 +344,21 @@ def range_of(to: object) -> tuple[float, float]:
     kind, _, name = to.partition("/") if isinstance(to, str) and len(to) <= LONGEST_TARGET else ("", "", "")
     if kind == CHANNEL and name:
         return CHANNEL_LOWEST, CHANNEL_HIGHEST
+    if kind == PAD and axis_of_pad(name)[1] in AXES:
+        return PLACE_RANGE
     limit = _ANGLES.get(kind, {}).get(name)
     if limit is None:
         raise ValueError(
-            f"a macro cannot play {to!r:.80}; give channel/NAME, {HEAD}/{'|'.join(HEAD_LIMITS)} or "
-            f"{GAZE}/{'|'.join(GAZE_LIMITS)}"
+            f"a macro cannot play {to!r:.80}; give channel/NAME, {HEAD}/{'|'.join(HEAD_LIMITS)}, "
+            f"{GAZE}/{'|'.join(GAZE_LIMITS)} or {PAD}/NAME/{'|'.join(AXES)}"
         )
     return -limit, limit
+
+
+def axis_of_pad(name: str) -> tuple[str, str]:
+    """The pad and the axis that a target means by its name among those of its kind: `mouth/x`."""
+    pad, _, axis = name.rpartition("/")
+    return pad, axis if pad else ""
 
 
 def check_macro_name(name: object) -> str:
@@ -366,7 +371,6 @@ def check_macro_name(name: object) -> str:
     return name
 
 
-def channels_in(mappings: Iterable[MacroMapping]) -> list[str]:
-    """The channels that some mappings play, each once, in their order."""
-    places = (target.place for mapping in mappings for target in mapping.targets)
-    return list(dict.fromkeys(name for kind, name in places if kind == CHANNEL))
+def places_in(mappings: Iterable[MacroMapping]) -> list[tuple[TargetKind, str]]:
+    """The kinds and the names of all targets of some mappings, each once, in their order."""
+    return list(dict.fromkeys(target.place for mapping in mappings for target in mapping.targets))

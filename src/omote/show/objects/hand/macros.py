@@ -9,7 +9,18 @@ import msgspec
 
 from omote.perform.limits import check_known
 from omote.perform.mappings.kept_mappings import MOST_MAPPINGS
-from omote.perform.mappings.mapping import LONGEST_MACRO, MACRO_LIMITS, MacroMapping, MacroTarget, check_macro_name
+from omote.perform.mappings.mapping import (
+    CHANNEL,
+    LONGEST_MACRO,
+    MACRO_LIMITS,
+    PAD,
+    MacroMapping,
+    MacroTarget,
+    TargetKind,
+    axis_of_pad,
+    check_macro_name,
+    places_in,
+)
 from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
@@ -134,7 +145,17 @@ class MoveMacro(CharacterCommand, frozen=True):
         """The parts that its targets are of; none where there is no macro of the name. scene: that has it."""
         names = scene if self.character == ALL else [self.character]
         mappings = [scene[name].mappings.get(self.name) for name in names if name in scene]
-        return tuple(dict.fromkeys(part for mapping in mappings if mapping is not None for part in mapping.parts))
+        places = places_in(mapping for mapping in mappings if mapping is not None)
+        return tuple(dict.fromkeys(part for place in places for part in _parts_of(*place, scene)))
+
+
+def _parts_of(kind: TargetKind, name: str, scene: Scene) -> tuple[str, ...]:
+    """The part that a target is of; none of a pad that there is not. kind: of target; name: among those of its kind;
+    scene: that has the pads."""
+    if kind != PAD:
+        return ("channels" if kind == CHANNEL else kind,)
+    pad = scene.pads.get(axis_of_pad(name)[0])
+    return () if pad is None else ("expression" if pad.part == "rest" else pad.part,)
 
 
 class LearnMapping(ClientMessage, frozen=True):
@@ -185,7 +206,7 @@ class MappingLearned(ServerMessage, frozen=True):
 
 class MappingList(ServerMessage, frozen=True):
     """The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
-    each change. `missing`: by character, the channels of them that the cast has not, which give nothing."""
+    each change. `missing`: by character, the targets of them that there are not, which give nothing."""
 
     mappings: dict[str, list[MacroMapping]]
     missing: dict[str, list[str]] = {}
