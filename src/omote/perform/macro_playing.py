@@ -17,7 +17,14 @@ from omote.perform.mappings.kept_mappings import (
     with_restored,
     without_mapping,
 )
-from omote.perform.mappings.macros import Macros, advance_macros, follow_change, given_by, move_macro
+from omote.perform.mappings.macros import (
+    Macros,
+    advance_macros,
+    follow_change,
+    given_by,
+    is_a_condition_new,
+    move_macro,
+)
 from omote.perform.mappings.mapping import (
     CHANNEL,
     HEAD,
@@ -46,6 +53,7 @@ class MacroPlaying(SpeechPlaying):
     _places: Mapping[str, float] = NO_PLACES
     _given_of: Macros | None = None
     _last_held: Held
+    _resting: Macros | None = None
     _last_sources: tuple[object, ...] = ()
 
     @property
@@ -265,14 +273,22 @@ class MacroPlaying(SpeechPlaying):
         macros = now.macros
         if not macros.moved and not macros.fading:
             return
+        if macros is self._resting and not is_a_condition_new(macros, now.mappings.kept, self._reading):
+            return
         later = advance_macros(macros, now.mappings.kept, self._reading, dt)
-        if later is not macros:
-            self._sources()
-            before = self._places
-            self._now = with_fields(now, macros=later)
-            self._sources()
-            if self._places or before:
-                self._move_points(before, self._places)
+        self._resting = later if later is macros else None
+        if later is macros:
+            return
+        plays_pads = any(now.mappings.kept[name].plays_pads for name in later.moved)
+        before = self._points() if plays_pads else NO_PLACES
+        self._now = with_fields(now, macros=later)
+        if plays_pads:
+            self._move_points(before, self._points())
+
+    def _points(self) -> Mapping[str, float]:
+        """Where macros have points of pads, by pad and axis."""
+        self._sources()
+        return self._places
 
     def _move_points(self, before: Mapping[str, float], places: Mapping[str, float]) -> None:
         """Moves the points of pads where macros have moved one; who moves a pad last has it. before, places: by pad and

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from omote.perform.frame import Held
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
-from omote.perform.mappings.mapping import CHANNEL, GAZE, HEAD, MOST_TARGETS, MacroMapping, MacroTarget, range_of
+from omote.perform.mappings.mapping import CHANNEL, GAZE, HEAD, MOST_TARGETS, MacroMapping, MacroTarget, fitted
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import ClientMessage
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
@@ -135,9 +135,8 @@ class MappingLearning:
 def mapping_of(learner: Learner) -> MacroMapping | None:
     """The mapping of what was touched: each target from where it was to where it was left; None of nothing."""
     targets = tuple(
-        MacroTarget(to, 0.0, min(max(each.now - each.before, low), high))
+        MacroTarget(to, 0.0, fitted(to, each.now - each.before))
         for to, each in learner.touched.items()
-        for low, high in [range_of(to)]
         if abs(each.now - each.before) > MOVED
     )
     return MacroMapping(learner.name, targets) if targets else None

@@ -54,7 +54,7 @@ def test_what_there_is_not_is_refused(scene: Scene) -> None:
 def test_a_macro_moves_the_point_of_a_pad_until_another_hand_does(scene: Scene, cast: Cast) -> None:
     one, other = sorted(name for name in cast.expressions if name != "neutral")[:2]
     looks = [PadLook(one, {one: 1.0}, (-1.0, 0.0)), PadLook(other, {other: 1.0}, (1.0, 0.0))]
-    scene.set_pad(Pad("mix", "expression", 2, looks))
+    scene.set_pad(Pad("mix", "expression", 2, tuple(looks)))
     targets = (MacroTarget("pad/mix/x", low=-1.0, rise=0.1), MacroTarget("pad/gone/x"), MacroTarget("pad/mix/z"))
     scene["one"].set_mapping(MacroMapping("blend", targets))
     scene["one"].move_macro("blend", 1.0)

@@ -35,7 +35,7 @@ NO_MAPPINGS = Mappings()
 def with_mapping(mappings: Mappings, mapping: MacroMapping, key: str) -> Mappings:
     """The mappings with one more, or with another under its name; ValueError where there are too many.
 
-    key: what `with_restored` finds the one before by.
+    mapping: with its name; key: what `with_restored` finds the one before by.
     """
     return with_change(mappings, {mapping.name: mapping}, key or mapping.name)
 
@@ -92,7 +92,10 @@ def with_change(mappings: Mappings, change: Change, key: str) -> Mappings:
 
 
 def renaming_in(before: ByName, after: ByName) -> tuple[str, str] | None:
-    """The old and the new name, where all that differs is that one mapping is called otherwise; None elsewhere."""
+    """The old and the new name, where all that differs is that one mapping is called otherwise; None elsewhere.
+
+    before, after: mappings by name.
+    """
     gone = [name for name in before if name not in after]
     new = [name for name in after if name not in before]
     if len(gone) != 1 or len(new) != 1 or before[gone[0]].with_name(new[0]) != after[new[0]]:

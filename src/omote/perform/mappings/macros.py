@@ -88,6 +88,18 @@ def advance_macros(macros: Macros, mappings: ByName, read: Read, dt: float) -> M
     return macros if still and fading is macros.fading else Macros(moved, fading)
 
 
+def is_a_condition_new(macros: Macros, mappings: ByName, read: Read) -> bool:
+    """Whether a condition of a macro that was moved opens or shuts now.
+
+    mappings: of the character; read: what a condition reads now.
+    """
+    for name, state in macros.moved.items():
+        when = mappings[name].when
+        if when is not None and when.opens(read(when), was_open=state.open) is not state.open:
+            return True
+    return False
+
+
 def _advanced(state: MacroState, mapping: MacroMapping, read: Read, dt: float) -> MacroState:
     opens = True if mapping.when is None else mapping.when.opens(read(mapping.when), was_open=state.open)
     goal = 1.0 if opens else 0.0

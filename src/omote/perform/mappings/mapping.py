@@ -309,6 +309,11 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
+    def plays_pads(self) -> bool:
+        """Whether it moves the point of a pad."""
+        return any(target.place[0] == PAD for target in self.targets)
+
+    @cached_property
     def is_nothing_at_rest(self) -> bool:
         """Whether it gives nothing where it is at 0."""
         return not any(target.low for target in self.targets)
@@ -353,6 +358,12 @@ def range_of(to: object) -> tuple[float, float]:
             f"{GAZE}/{'|'.join(GAZE_LIMITS)} or {PAD}/NAME/{'|'.join(AXES)}"
         )
     return -limit, limit
+
+
+def fitted(to: str, value: float) -> float:
+    """The number that a target takes that is nearest to a value. to: as of `MacroTarget`."""
+    low, high = range_of(to)
+    return min(max(value, low), high)
 
 
 def axis_of_pad(name: str) -> tuple[str, str]:

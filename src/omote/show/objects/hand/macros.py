@@ -37,7 +37,7 @@ from omote.show.declaration import (
 )
 from omote.show.osc import Osc, Value
 
-MacroName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MACRO), Value("text")]
+MacroName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MACRO), Value("macro")]
 
 
 class SetMapping(CharacterCommand, frozen=True):
