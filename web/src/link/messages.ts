@@ -785,7 +785,7 @@ export type MappingLearned = {
 
 /**
  * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
- * each change. `missing`: by character, the channels of them that the cast has not, which give nothing.
+ * each change. `missing`: by character, the targets of them that there are not, which give nothing.
  */
 export type MappingList = {
   type: "mapping_list";

@@ -165,9 +165,9 @@ class Pad:
 
         Examples
         --------
-        >>> looks = [omote.PadLook(name, {name: 1.0}, (at,)) for name, at in (("sad", -1), ("neutral", 0), ("joy", 1))]
+        >>> looks = [omote.PadLook(name, {name: 1.0}, (at,)) for name, at in (("neutral", 0), ("joy", 1))]
         >>> omote.Pad("mood", "expression", 1, looks).weights_at((0.5,))
-        [0.0, 0.5, 0.5]
+        [0.5, 0.5]
         """
         return self._weights(self.check_place(place))
 

@@ -13,8 +13,9 @@ from omote.perform.pads.blend_space import PadPlace
 FOLLOW_SECONDS = 0.06
 """In which nine tenths of a step of the weights are gone: a stick that jumps shows no jump. To smooth the place instead
 cures nothing, for a straight way has kinks where it passes a look."""
-TAKE_UP_SECONDS = 0.25
-"""In which what shows makes way for a pad whose point is taken up: as soon as a panic is over."""
+TAKE_UP_SECONDS = 0.33
+"""In which what shows makes way for a pad whose point is taken up: as the speed of what was taken over dies out. In .25
+a hand that takes up another pad each moment bends weights by 1/16 of what a freeze does; this leaves room below."""
 NOTHING = 1e-12
 """What weighs less while a point moves is forgotten."""
 _RATE = rate_of(FOLLOW_SECONDS)
