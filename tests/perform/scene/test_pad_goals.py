@@ -32,7 +32,7 @@ def test_another_goal_or_part_has_no_point() -> None:
     ],
 )
 def test_what_is_no_point_is_refused_with_what_it_is(goal: dict[str, float]) -> None:
-    with pytest.raises(ValueError, match="a pad goes to :pad mouth = .*expected its name with weight 1"):
+    with pytest.raises(ValueError, match="a pad goes to :pad mouth = "):
         check_goal("one/expression", goal)
     with pytest.raises(ValueError, match="x of a pad is 2"):
         check_goal("one/expression", {":pad mouth": 1.0, ":x": 2.0})
