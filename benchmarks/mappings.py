@@ -4,7 +4,8 @@ Forty-eight mappings of four targets each, all of them moved before every tick: 
 followers, a condition on every third; the targets are all units of the cast, head and gaze. What is timed is what they
 add to a tick of a performer: they go on, and what hands hold is put together. Beside it stand the same without anything
 moving, and a tick of a show's session (one character that lives, with calls) with twenty such mappings and a hand on
-all of them, as a ratio to the same session without, ticks by turns. Times are of the processor, the median.
+all of them, as a ratio to the same session whose hand moves twenty faders of channels, ticks by turns. Times are of the
+processor, the median.
 
 * 48 mappings of 4 targets: at most .5 ms a tick at the pace of the machine (`benchmarks/pace.py`);
 * the largest change of slope from one thousandth of a source's way to the next, where two sources of a target meet its
@@ -17,7 +18,9 @@ from __future__ import annotations
 
 import os
 
+from omote.show.declaration import ClientMessage
 from omote.show.objects.calls import CallExpression
+from omote.show.objects.faders import SetChannel
 from omote.show.objects.hand.macros import MoveMacro, SetMapping
 from omote.show.objects.link import Hello
 from omote.show.objects.motion import SetMotion
@@ -95,13 +98,14 @@ def time_macros(cast: omote.Cast, ticks: int, *, moved: bool) -> list[float]:
 
 
 class Show:
-    """A session in which a character lives. mappings: those that hands move."""
+    """A session in which a character lives. mappings: those that hands move; faders: of channels that hands move."""
 
-    def __init__(self, cast: omote.Cast, mappings: Sequence[MacroMapping]) -> None:
+    def __init__(self, cast: omote.Cast, mappings: Sequence[MacroMapping], faders: int = 0) -> None:
         self.session = ShowSession(cast)
         self.session.receive(WHO, Hello("console", PROTOCOL_VERSION, WHO), 0.0)
         self.session.receive(WHO, SetMotion("one", 0.6, idle=True), 0.0)
         self.count = len(mappings)
+        self.faders = [name for name, title in cast.titles.items() if title.kind == "arkit"][:faders]
         self.worn = [name for name, title in cast.titles.items() if title.kind == "performed"]
         self.spent = list[float]()
         for mapping in mappings:
@@ -112,7 +116,13 @@ class Show:
         now = number / RATE
         if number % 30 == 0:
             self.session.receive(WHO, CallExpression("one", f"e{number}", self.worn[number % len(self.worn)], 0.4), now)
-        moves = [MoveMacro("one", f"m{place}", value) for place, value in enumerate(hands(number, self.count))]
+        moves: list[ClientMessage] = [
+            *(MoveMacro("one", f"m{place}", value) for place, value in enumerate(hands(number, self.count))),
+            *(
+                SetChannel("one", name, 0.4 + 0.4 * value)
+                for name, value in zip(self.faders, hands(number, len(self.faders)), strict=True)
+            ),
+        ]
         before = time.thread_time()
         for move in moves:
             self.session.receive(WHO, move, now)
@@ -143,7 +153,7 @@ def main() -> int:
     gc.freeze()
     moved = time_macros(cast, ticks, moved=True)
     rest = time_macros(cast, ticks, moved=False)
-    shows = {"none": Show(cast, ()), "twenty": Show(cast, make_mappings(cast, SHOWN))}
+    shows = {"none": Show(cast, (), SHOWN), "twenty": Show(cast, make_mappings(cast, SHOWN))}
     for number in range(1, ticks):
         for show in shows.values():
             show.tick(number)
@@ -153,14 +163,14 @@ def main() -> int:
     for name, spent in (
         (f"{MANY} mappings of {TARGETS}, moved", moved),
         ("the same at rest", rest),
-        ("a session's tick without", shows["none"].spent),
+        (f"a session's tick with {SHOWN} faders", shows["none"].spent),
         (f"with {SHOWN} mappings and their hands", shows["twenty"].spent),
     ):
         table.add_row(name, *(f"{1e3 * each:.3f}" for each in np.quantile(spent, [0.5, 0.99])))
     console = Console()
     console.print(table)
     ratio = float(np.median(shows["twenty"].spent) / np.median(shows["none"].spent))
-    console.print(f"a tick with {SHOWN} mappings is {ratio:.2f} of one without; pace {pace.ratio():.2f}")
+    console.print(f"a tick with {SHOWN} mappings is {ratio:.2f} of one with as many faders; pace {pace.ratio():.2f}")
     middle = float(np.median(moved))
     bars = [
         (

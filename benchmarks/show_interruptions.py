@@ -6,8 +6,8 @@ and single regions; the head by cues; points of the cast's pads, which cues move
 rest of at most 0.7 widths of a pad a second, until something else is called; a look of a pad is dragged a little while
 it plays; macros that cues move, whose mappings are redrawn meanwhile. With `--panics` a panic is one of them. Each
 lasts 0.5-4 s (log-uniform) with the default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin
-0.26 s after one another: sooner they are ignored). The peer plays the same messages at the same instants and forgets the
-velocity that a call takes over, as `interruptions.py` has it; it is looked at only around the interruptions, so its
+0.26 s after one another: sooner they are ignored). The peer plays the same messages at the same instants and forgets
+the velocity that a call takes over, as `interruptions.py` has it; it is looked at only around the interruptions, so its
 figure is at most too small.
 
 A hand that moves a point faster than that bends weights itself, whoever interrupts it: `pads.py` has the figures.

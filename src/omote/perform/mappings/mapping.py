@@ -16,7 +16,7 @@ from omote.perform.limits import (
     check_switch,
     check_within,
 )
-from omote.perform.mappings.monotone_curve import STRAIGHT, Knots, check_knots, curve_at
+from omote.perform.mappings.monotone_curve import STRAIGHT, Knots, Pieces, check_knots, pieces_of, value_of
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE
 
 TargetKind = Literal["channel", "head", "gaze", "pad"]
@@ -162,10 +162,19 @@ class MacroTarget:
         >>> turn.value_at(0.5), turn.value_at(-0.5)
         (0.2, -0.1)
         """
+        low = self.low
         if macro >= 0.0:
-            return self.low + (self.high - self.low) * curve_at(self.curve, macro)
+            return low + (self.high - low) * value_of(self._pieces, macro)
         below = self.below
-        return self.low if below is None else self.low + (below.high - self.low) * curve_at(below.curve, -macro)
+        return low if below is None else low + (below.high - low) * value_of(self._pieces_below, -macro)
+
+    @cached_property
+    def _pieces(self) -> Pieces:
+        return pieces_of(self.curve)
+
+    @cached_property
+    def _pieces_below(self) -> Pieces:
+        return pieces_of(self.curve if self.below is None else self.below.curve)
 
 
 @dataclass(frozen=True)

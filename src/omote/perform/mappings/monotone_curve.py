@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from itertools import pairwise
 
 from omote.perform.limits import check_within
@@ -22,6 +21,7 @@ FEWEST_KNOTS = 2
 MOST_KNOTS = 7
 NEAREST_KNOTS = 0.01
 """How near two knots may be: nearer, a hand would meet a step."""
+Pieces = tuple[tuple[float, float, float, float, float, float, float, float, float], ...]
 STEEPEST = 3.0
 """The radius of the circle, in slopes of the chord, within which a cubic between two knots is monotone."""
 
@@ -56,23 +56,28 @@ def curve_at(knots: Knots, at: float) -> float:
 
     knots: checked; at: 0 to 1.
     """
-    if knots is STRAIGHT or knots == STRAIGHT:
-        return at
-    for end, begin, per_width, constant, first, second, third, low, high in pieces_of(knots):
+    return value_of(pieces_of(knots), at)
+
+
+def value_of(pieces: Pieces, at: float) -> float:
+    """What a curve of some pieces gives where the hand is at some place, 0 to 1; none are a straight line."""
+    for end, begin, per_width, constant, first, second, third, low, high in pieces:
         if at < end:
             part = (at - begin) * per_width
             gives = constant + part * (first + part * (second + part * third))
             return low if gives < low else min(gives, high)
-    return knots[-1][1]
+    return pieces[-1][-1] if pieces else at
 
 
-@lru_cache(maxsize=4096)
-def pieces_of(knots: Knots) -> tuple[tuple[float, ...], ...]:
+def pieces_of(knots: Knots) -> Pieces:
     """The pieces of a curve, in their order: each its end, its begin, one over its width, the coefficients of its
-    cubic from the constant on, and the lower and the higher value at its ends.
+    cubic from the constant on, and the lower and the higher value at its ends; then the end, as a piece without a
+    width. None of a straight line.
 
     knots: checked.
     """
+    if knots == STRAIGHT:
+        return ()
     slopes = slopes_at(knots)
     pieces = []
     for ((begin, low), (end, high)), (leaves, comes) in zip(pairwise(knots), pairwise(slopes), strict=True):
@@ -83,7 +88,8 @@ def pieces_of(knots: Knots) -> tuple[tuple[float, ...], ...]:
         second = 3.0 * rise - 2.0 * first - last
         third = first + last - 2.0 * rise
         pieces.append((end, begin, 1.0 / width, low, first, second, third, min(low, high), max(low, high)))
-    return tuple(pieces)
+    last = knots[-1][1]
+    return (*pieces, (1.0, 1.0, 0.0, last, 0.0, 0.0, 0.0, last, last))
 
 
 def slopes_at(knots: Knots) -> list[float]:
