@@ -179,7 +179,7 @@ def test_a_channel_that_another_cast_has_not_gives_nothing(performer: Performer,
 def test_what_there_is_not_is_refused(performer: Performer) -> None:
     with pytest.raises(ValueError, match="channel"):
         performer.set_mapping(MacroMapping("mouth", (MacroTarget("channel/jaw0pen"),)))
-    with pytest.raises(ValueError, match="macro"):
+    with pytest.raises(ValueError, match="there is no macro 'mouth' of this character"):
         performer.move_macro("mouth", 0.5)
     performer.set_mapping(MacroMapping("mouth", (SOFT,)))
     with pytest.raises(ValueError, match="-1 to 1"):

@@ -93,6 +93,7 @@ class Session(Protocol):
     clips: Any
     wishes: list[Any]
     learning: Any
+    setups: set[str]
     recorder: Any
     recording_requests: list[Any]
     cancelled: list[str]

@@ -140,6 +140,7 @@ class ShowSession:
         self._pads = PadListing(self.scene.pads, cast)
         self.texts = TextsToSpeak()
         self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
+        self.setups = set[str]()
         self.learning = MappingLearning(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []

@@ -108,7 +108,8 @@ class SetupCommands:
         return SetupList([*self._setups], self._called)
 
     def look(self) -> None:
-        """Notes whether what plays has changed since a set-up was called."""
+        """Notes whether what plays has changed since a set-up was called, and tells the session which there are."""
+        self._session().setups = {*self._setups}
         if self._called and self._playing() != self._played:
             self._called = ""
             self.number += 1

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Annotated, ClassVar
 
 import msgspec
 
+from omote.perform.limits import check_known
 from omote.perform.mappings.mapping import MacroMapping
-from omote.show.declaration import CallId, DeviceMessage, ServerMessage
+from omote.show.declaration import CallId, DeviceMessage, Outgoing, ServerMessage, Session
 from omote.show.objects.bindings import BindingDocument
 from omote.show.objects.documents import Document
 from omote.show.osc import PRESS, Value, osc
@@ -48,6 +49,11 @@ class KeepSetup(SetupMessage, frozen=True):
     id: CallId
     name: SetupName
 
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Keeps it for the next tick. session: the show; who: the client; now: seconds, monotonic."""
+        session.setups.add(self.name)  # one who calls it before the next tick finds it
+        return super().act(session, who, now)
+
 
 class CallSetup(SetupMessage, frozen=True):
     """Plays by a set-up from now on: its mappings and its bindings in the place of all that there are. Nothing jumps:
@@ -59,12 +65,22 @@ class CallSetup(SetupMessage, frozen=True):
     id: CallId
     name: SetupName
 
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Keeps it for the next tick. session: the show; who: the client; now: seconds, monotonic."""
+        check_known(self.name, session.setups, "set-up")
+        return super().act(session, who, now)
+
 
 class DropSetup(SetupMessage, frozen=True):
     """Forgets a set-up; what plays goes on. `restore_setup` with this `id` takes it back."""
 
     id: CallId
     name: SetupName
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Keeps it for the next tick. session: the show; who: the client; now: seconds, monotonic."""
+        check_known(self.name, session.setups, "set-up")
+        return super().act(session, who, now)
 
 
 class RestoreSetup(SetupMessage, frozen=True):
