@@ -91,7 +91,7 @@ def advance_macros(macros: Macros, mappings: ByName, read: Read, dt: float) -> M
 def is_a_condition_new(macros: Macros, mappings: ByName, read: Read) -> bool:
     """Whether a condition of a macro that was moved opens or shuts now.
 
-    mappings: of the character; read: what a condition reads now.
+    macros: those of the character; mappings: what they play; read: what a condition reads now.
     """
     for name, state in macros.moved.items():
         when = mappings[name].when
