@@ -1,13 +1,14 @@
-"""Ten thousand random interruptions by all that calls: cues, clips, takes from preview, pauses, regions, faces, pads.
+"""Ten thousand random interruptions by all that calls: cues, clips, takes, pauses, regions, faces, pads, macros.
 
 One character of a show's session on the built-in cast, played by its own messages: GO, Back, go to (whole too), assert,
 pause and go on; clips called, looped and stopped; takes of what was built up in preview; calls of faces, expressions
 and single regions; the head by cues; points of the cast's pads, which cues move, and a hand, in strokes from rest to
 rest of at most 0.7 widths of a pad a second, until something else is called; a look of a pad is dragged a little while
-it plays. With `--panics` a panic is one of them. Each lasts 0.5-4 s (log-uniform) with the default easing and none is a
-cut; the next comes 0.04-0.2 s later (GO and its kin 0.26 s after one another: sooner they are ignored). The peer plays
-the same messages at the same instants and forgets the velocity that a call takes over, as `interruptions.py` has it; it
-is looked at only around the interruptions, so its figure is at most too small.
+it plays; macros that cues move, whose mappings are redrawn meanwhile. With `--panics` a panic is one of them. Each
+lasts 0.5-4 s (log-uniform) with the default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin
+0.26 s after one another: sooner they are ignored). The peer plays the same messages at the same instants and forgets
+the velocity that a call takes over, as `interruptions.py` has it; it is looked at only around the interruptions, so its
+figure is at most too small.
 
 A hand that moves a point faster than that bends weights itself, whoever interrupts it: `pads.py` has the figures.
 
@@ -64,6 +65,7 @@ from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, CallFace, Panic
 from omote.show.objects.clips import PlayClip, StopClip
 from omote.show.objects.cues import AssertLook, CuePlay, Go, GoBack, GoToCue, PauseCues, SetStandby
+from omote.show.objects.hand.macros import SetMapping
 from omote.show.objects.hand.pads import MovePad, SetPad
 from omote.show.objects.link import Hello
 from omote.show.objects.preview import Take
@@ -72,6 +74,7 @@ from omote.show.session import ShowSession
 COUNT = 10_000
 BAR = 1 / 16
 WHO = "one"
+MACROS = ("m1", "m2")
 CUES = 40
 CLIPS = 4
 SOONEST_LATEST = 0.04, 0.2
@@ -101,6 +104,7 @@ def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips
     goals: dict[str, Callable[[], dict[str, float]]] = {
         "face": lambda: {str(rng.choice(faces)): 1.0} if rng.random() < 0.7 else point("faces"),
         "expression": lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else point("moods"),
+        "macros": lambda: {name: float(rng.uniform(-1.0, 1.0)) for name in MACROS if rng.random() < 0.7},
         "head": lambda: {"yaw": float(rng.uniform(-0.6, 0.6)), "pitch": float(rng.uniform(-0.3, 0.3)), "roll": 0.0},
         "clip": lambda: {str(rng.choice(clips)): 1.0},
         **{region: lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else {} for region in PLAY_REGIONS},
@@ -116,6 +120,21 @@ def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips
         follows = "continue" if rng.random() < 0.2 else ""
         cues.append(omote.Cue(f"c{number}", str(number + 1), moves, goes_on=follows, post_wait=0.5))  # type: ignore[arg-type]
     return cues
+
+
+def make_mappings(rng: np.random.Generator, units: list[str]) -> list[omote.MacroMapping]:
+    """What macros play: four channels and an angle each, by curves of four knots, one of them under a condition."""
+    mappings = []
+    for number, name in enumerate(MACROS):
+        curve = ((0.0, 0.0), *((at, float(rng.uniform(0.2, 0.8))) for at in (0.3, 0.7)), (1.0, 1.0))
+        targets = [
+            omote.MacroTarget(f"channel/{unit}", high=0.3, curve=curve, below=omote.HalfBelow(-0.2), rise=0.3, fall=0.6)
+            for unit in units[number::3][:4]
+        ]
+        angle = omote.MacroTarget(("head/yaw", "head/pitch")[number], high=0.2, below=omote.HalfBelow(-0.2), rise=0.3)
+        when = omote.MacroCondition("macro/m1", -0.5) if number else None
+        mappings.append(omote.MacroMapping(name, (*targets, angle), when))
+    return mappings
 
 
 def make_clip(cast: omote.Cast, rng: np.random.Generator, worn: list[str], units: list[str]) -> omote.Clip:
@@ -149,6 +168,8 @@ def make_session(cast: omote.Cast, seed: int) -> ShowSession:
     session = ShowSession(cast)
     session.receive("ana", Hello("console", PROTOCOL_VERSION, "ana"), 0.0)
     session.receive("eve", Hello("console", PROTOCOL_VERSION, "eve", bus="preview"), 0.0)
+    for mapping in make_mappings(rng, units):
+        session.receive("ana", SetMapping(WHO, mapping.name, mapping), 0.0)
     clips = {f"clip{number}": make_clip(cast, rng, worn, units) for number in range(CLIPS)}
     session.clips.load(clips)
     cues = make_cues(rng, list(cast.faces), worn, list(clips))
@@ -165,6 +186,8 @@ ACROSS = 4.0, 6.0
 """Seconds in which a cue moves a point, which may be across the whole pad: as slowly as the hand."""
 SHORTEST_STROKE = 0.2
 """Seconds."""
+REDRAWN = 0.02
+"""By which what a macro gives at its end is changed at once, at most."""
 DRAGGED = 0.004
 """By which a look is dragged at once, at most."""
 
@@ -199,19 +222,22 @@ def begin_stroke(session: ShowSession, message: ClientMessage, aim: tuple[float,
 
 
 class Log:
-    """Draws what happens. cast: whose faces and expressions; panics: whether some are."""
+    """Draws what happens. cast: whose faces and expressions; mappings: of macros; panics: whether some are."""
 
-    def __init__(self, cast: omote.Cast, rng: np.random.Generator, *, panics: bool) -> None:
+    def __init__(
+        self, cast: omote.Cast, rng: np.random.Generator, mappings: Mapping[str, omote.MacroMapping], *, panics: bool
+    ) -> None:
         self.rng = rng
         self.faces = list(cast.faces)
         self.worn = [name for name, title in cast.titles.items() if title.kind in ("neutral", "performed")]
         self.number = 0
         self.aim = (0.0, 0.0)
         self.pads = cast_pads(cast)
+        self.mappings = dict(mappings)
         self.kinds: list[Callable[[str], list[Act]]] = [
             self.go, self.go, self.go_back, self.go_to, self.hold, self.pause, self.pause, self.call, self.call,
             self.region, self.region, self.clip, self.clip, self.stop, self.take, self.take,
-            self.pad, self.pad, self.pad, self.drag,
+            self.pad, self.pad, self.pad, self.drag, self.redraw,
         ]  # fmt: skip
         if panics:
             self.kinds.append(lambda identity: [("panic", "ana", Panic(WHO, identity))])
@@ -278,6 +304,15 @@ class Log:
         pad = str(self.rng.choice(list(self.pads)))
         self.aim = (float(self.rng.uniform(-1.0, 1.0)), float(self.rng.uniform(-1.0, 1.0)))
         return [("pad", "ana", MovePad(WHO, pad))]
+
+    def redraw(self, identity: str) -> list[Act]:
+        """A mapping is changed a little, wherever its macro stands."""
+        name = str(self.rng.choice(MACROS))
+        mapping = self.mappings[name]
+        change = float(self.rng.uniform(-REDRAWN, REDRAWN))
+        first = replace(mapping.targets[0], high=mapping.targets[0].high + change)
+        self.mappings[name] = replace(mapping, targets=(first, *mapping.targets[1:]))
+        return [("redraw", "ana", SetMapping(WHO, identity, self.mappings[name]))]
 
     def drag(self, identity: str) -> list[Act]:
         """A look of a pad is dragged a little, whatever the pad plays."""
@@ -366,7 +401,7 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
     """A show with its interruptions. inertial: False forgets the velocity that a call takes over."""
     session = make_session(cast, seed)
     rng = np.random.default_rng([seed, 2])
-    log = Log(cast, rng, panics=panics)
+    log = Log(cast, rng, session.scene[WHO].mappings, panics=panics)
     looked = Looked()
     now = 0.0
     last = "begin"

@@ -90,6 +90,9 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     clip = omote.Clip([lane])
     performer.play_clip(clip)
     scene.set_clips({"line1": clip})
+    jaw = omote.MacroTarget("channel/jawOpen")
+    performer.set_mapping(omote.MacroMapping("mouth", (jaw,)))
+    many = [omote.MacroMapping(f"m{number}", (jaw,)) for number in range(65)]
     look = omote.PadLook("Glad", {"joy": 1.0}, (1.0,))
     pad = omote.Pad("mood", "expression", 1, (omote.PadLook("Calm", {"neutral": 1.0}, (0.0,)), look))
     full = omote.Scene.begun(cast)
@@ -100,6 +103,24 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     for number in range(30):
         crowded.set_pad(replace(pad, name=f"p{number}"))
     return {
+        ("HalfBelow", ValueError): lambda: omote.HalfBelow(0.5, ((0.0, 0.5), (1.0, 1.0))),
+        ("HalfBelow", TypeError): lambda: omote.HalfBelow(words),
+        ("MacroTarget", ValueError): lambda: omote.MacroTarget("head/up"),
+        ("MacroTarget", TypeError): lambda: omote.MacroTarget("head/yaw", high=words),
+        ("MacroCondition", ValueError): lambda: omote.MacroCondition("head/yaw", 0.5),
+        ("MacroCondition", TypeError): lambda: omote.MacroCondition("macro/on", words),
+        ("MacroMapping", ValueError): lambda: omote.MacroMapping("mouth", ()),
+        ("MacroMapping.with_name", ValueError): lambda: many[0].with_name("a/b"),
+        ("Performer.set_mapping", ValueError): lambda: performer.set_mapping(
+            omote.MacroMapping("mouth", (omote.MacroTarget("channel/jawOpn"),))
+        ),
+        ("Performer.set_mapping", TypeError): lambda: performer.set_mapping(words),
+        ("Performer.set_mappings", ValueError): lambda: performer.set_mappings(many),
+        ("Performer.rename_mapping", ValueError): lambda: performer.rename_mapping("mouth", "a/b"),
+        ("Performer.drop_mapping", ValueError): lambda: performer.drop_mapping("jaw"),
+        ("Performer.restore_mapping", ValueError): lambda: performer.restore_mapping("nothing"),
+        ("Performer.move_macro", ValueError): lambda: performer.move_macro("mouth", 2.0),
+        ("Performer.move_macro", TypeError): lambda: performer.move_macro("mouth", words),
         ("PadLook", ValueError): lambda: replace(look, mix={"joy": 0.5}),
         ("PadLook", TypeError): lambda: replace(look, place=(words,)),
         ("Pad", ValueError): lambda: replace(pad, dimensions=2),

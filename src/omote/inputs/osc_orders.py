@@ -44,12 +44,13 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, where
-    they are listed."""
+    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, macros:
+    those of each character, where they are listed."""
 
     cast: Playable
     characters: Mapping[str, str]
     pads: Mapping[str, int] = MappingProxyType({})
+    macros: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
 class Level(NamedTuple):
@@ -263,6 +264,7 @@ def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
 
 SCENE_NAMES: Mapping[str, Callable[[str, Mapping[str, str]], str | list[str]]] = {
     "framing": _characters, "character": find_character, "text": lambda text, _: text, "pad": lambda text, _: text,
+    "macro": lambda text, _: text,
 }  # fmt: skip
 """What finds the names of a scene, by its characters' names and labels."""
 

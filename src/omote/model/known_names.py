@@ -24,7 +24,10 @@ _FIXED = (
 )  # fmt: skip
 PLACES: Mapping[str, str] = {
     **dict.fromkeys(("character", "removed character", "gaze point"), " in this scene"),
-    **dict.fromkeys(("performer", "source", "voice", "variant of a voice", "list of cues", "clip"), " in this show"),
+    **dict.fromkeys(
+        ("performer", "source", "voice", "variant of a voice", "list of cues", "clip", "set-up"), " in this show"
+    ),
+    **dict.fromkeys(("macro", "change of a macro"), " of this character"),
     **dict.fromkeys(_FIXED, ""),
 }
 """Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""

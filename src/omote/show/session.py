@@ -28,6 +28,7 @@ from omote.show.declaration import (
     check_ranges,
 )
 from omote.show.executed_calls import ExecutedCalls
+from omote.show.mapping_learning import MappingLearning
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
@@ -48,6 +49,7 @@ from omote.show.speech.named_sounds import NamedSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
 from omote.show.state import EyeOffset, offset_between, preview_state, state_of
+from omote.show.told_mappings import ToldMappings
 from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
 
@@ -141,6 +143,9 @@ class ShowSession:
         )
         self._pads = PadListing(self.scene.pads, cast)
         self.texts = TextsToSpeak()
+        self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
+        self.setups = set[str]()
+        self.learning = MappingLearning(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
         self._own(None)
@@ -211,7 +216,10 @@ class ShowSession:
         unseen = message.follows_bus and self.members.looks_at(who) == "preview"
         if not unseen:
             self._pass_hands(who, message, find_addressed(self.scene, message), now)
+        touched = {} if unseen or not self.learning.is_learner(who) else self.learning.positions(message)
         answers = self.act(who, message, now, unseen=unseen)
+        if touched:
+            self.learning.touch(message, touched, now)
         self.commands += message.open_to == "consoles"
         self._echo(who, message, now, unseen=unseen)
         return list(answers)
@@ -284,6 +292,8 @@ class ShowSession:
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
         self._told += self.clips.end_passes()
+        if self.learning.is_over(now):
+            self._told += self.finish_mapping(now, keeps=True)
         speak_lines(self, now)
         state = self._state(elapsed)
         self.recorder.note_tick(now)
@@ -403,6 +413,8 @@ class ShowSession:
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed. who: the client."""
+        if self.learning.is_learner(who):
+            self.learning.end(keeps=False)
         self.members.leave(who, lost=lost)
         if not self.preview.touched and not self.members.any_in_preview:
             self.preview.forget()
@@ -454,9 +466,8 @@ class ShowSession:
         for source, route in taken.items():
             self.recorder.note_routed(source, route)
         pads = self._pads.news(self.scene.pads, self.cast, now)
-        self._told += [] if pads is None else self.for_consoles(pads)
-        work = self.clips.news()
-        told = [] if work is None else self.for_consoles(work)
+        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news(), pads)
+        told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
         on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
@@ -470,6 +481,12 @@ class ShowSession:
         if len(self.device_messages) >= MOST_DEVICE_MESSAGES:
             raise Refusal("too much comes from devices at once, and this was not played: send less.")
         self.device_messages.append((who, message))
+
+    def finish_mapping(self, now: float, *, keeps: bool) -> list[Outgoing]:
+        """Ends the learning of a mapping, by messages of who taught it; returns what is answered. now: seconds,
+        monotonic; keeps: whether it becomes one."""
+        who, messages = self.learning.end(keeps=keeps)
+        return [answer for message in messages for answer in self.receive(who, message, now)]
 
     def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
         """Takes characters out of all hands: a client (who) has pressed panic, at `now` (seconds, monotonic)."""
@@ -512,6 +529,8 @@ class ShowSession:
         lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
         if hello.role == "console" and self.clips.work != NO_WORK:
             lists.append(Outgoing(who, self.clips.work))
+        if hello.role == "console" and (mappings := self.mappings.list_now()).mappings:
+            lists.append(Outgoing(who, mappings))
         if hello.role == "console" and self.named_sounds.sounds:
             lists.append(Outgoing(who, self.named_sounds.message()))
         if hello.role == "console" and self.scene.pads:

@@ -25,6 +25,7 @@ from omote.show.objects.state import (
     HeldState,
     LayerSource,
     LayerState,
+    MacroState,
     MotionState,
     PadPointState,
     Place,
@@ -162,6 +163,7 @@ def character_state(
         leaves=character.leaves,
         regions={region: dict(mix) for region, mix in frame.regions.items()},
         region_calls={region: call_state_of(status) for region, status in frame.region_calls.items()},
+        macros={name: MacroState(macro.value, macro.share) for name, macro in frame.macros.items()},
         pads={name: PadPointState(list(point.place), point.plays) for name, point in frame.pads.items()},
     )
 

@@ -13,6 +13,7 @@ import numpy as np
 from omote.perform.clips.clip import Clip
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
+from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
 from omote.perform.pads.blend_space import PadLook
 from omote.perform.snapshot import Playable
 from omote.show.declaration import ClientMessage
@@ -51,6 +52,14 @@ from omote.show.objects.clips import (
 )
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.gaze_points import DeleteGazePoint, SetGazePoint
+from omote.show.objects.hand.macros import (
+    DropMapping,
+    MoveMacro,
+    RenameMapping,
+    RestoreMapping,
+    SetMapping,
+    SetMappings,
+)
 from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, RenamePad, RestorePad, SetPad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import SetLeases
@@ -69,6 +78,7 @@ from omote.show.session import ShowSession
 from omote.show.wire import encode
 
 CONSOLES = ("ana", "bo", "cy", "di")
+MACROS = ("m1", "m2", "m3")
 TRACKERS = ("phone one", "phone two")
 
 
@@ -134,6 +144,16 @@ class RandomShow:
         found = bool(self.rng.random() < 0.98)
         self.send(who, Drive(self.indices.get(who, 0), values.tobytes(), head, (0.1, 0.0), found=found))
 
+    def mapping(self) -> MacroMapping:
+        """What a macro plays: a channel, the head and the point of a pad, under a condition by chance."""
+        targets = (
+            MacroTarget(f"channel/{self.pick(self.expressions)}", high=self.number(0, 1), rise=0.1, fall=0.3),
+            MacroTarget("head/yaw", high=0.3, curve=((0.0, 0.0), (0.4, 0.1), (1.0, 1.0)), below=HalfBelow(-0.1)),
+            MacroTarget("pad/mouth/x", low=-1.0, rise=0.05),
+        )
+        when = MacroCondition(f"macro/{self.pick(MACROS)}", 0.3) if self.rng.random() < 0.4 else None
+        return MacroMapping(self.pick(MACROS), targets[: int(self.rng.integers(1, 4))], when)
+
     def messages(self) -> list[Callable[[], ClientMessage]]:
         """One of each kind that plays."""
         who, number, pick, new = self.character, self.number, self.pick, self.id
@@ -151,6 +171,13 @@ class RandomShow:
             lambda: SetChannel(who(), pick(self.expressions), number(-0.6, 1.6)),
             lambda: SetHead(who(), number(-0.5, 0.5), number(-0.3, 0.3), 0.0),
             lambda: SetGaze(who(), number(-0.3, 0.3), 0.0),
+            lambda: SetMapping(who(), new(), self.mapping(), pick(("a", "b"))),
+            lambda: SetMappings(who(), new(), [self.mapping()]),
+            lambda: MoveMacro(who(), pick(MACROS), number(-1.1, 1.1)),
+            lambda: MoveMacro(who(), pick(MACROS), number(-1, 1)),
+            lambda: RenameMapping(who(), new(), pick(MACROS), pick(MACROS)),
+            lambda: DropMapping(who(), new(), pick(MACROS), "c"),
+            lambda: RestoreMapping(who(), new(), pick(("a", "b", "c"))),
             lambda: SetLayer(who(), "tracker", influence=number(0, 1), region=pick(("brows", "mouth", None))),
             lambda: SetLayer(who(), "tracker", on=pick((True, False))),
             lambda: SetMotion(who(), number(0, 1), seed=int(self.rng.integers(1000))),

@@ -12,7 +12,7 @@ from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.clip_goals import clip_of_goal
-from omote.perform.scene.goals import Part, passes, ranges_of, split_part
+from omote.perform.scene.goals import MACROS, Part, passes, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
 from omote.perform.scene.pad_goals import is_pad_goal
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
@@ -87,7 +87,7 @@ def _named_by(cue: Cue) -> Iterable[str]:
             yield from [looked] if (looked := name_in(dict(move.goal))) else []
         elif passes(part):
             yield from [clip_of_goal(move.goal).name] if move.goal else []
-        elif ranges_of(part) is None and name != "light" and not is_pad_goal(part, move.goal):
+        elif ranges_of(part) is None and name not in ("light", MACROS) and not is_pad_goal(part, move.goal):
             yield from move.goal
 
 

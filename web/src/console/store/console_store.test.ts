@@ -32,6 +32,7 @@ const CALM: CharacterState = {
   speech: null,
   spoken: "",
   clips: [],
+  macros: {},
   pads: {},
 };
 const REST: State = {
