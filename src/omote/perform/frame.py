@@ -303,6 +303,7 @@ class Frame:
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
     nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last.
+    `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: Mapping[str, float]
@@ -328,6 +329,7 @@ class Frame:
     speech: SpeechStatus | None = None
     spoken: str = ""
     clips: tuple[ClipStatus, ...] = ()
+    springs: Mapping[str, float] = field(default_factory=dict)
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -59,13 +59,14 @@ from omote.perform.speech.speaking import (
     speech_status,
 )
 from omote.perform.speech.visemes import speech_frame
-from omote.perform.speech_playing import SpeechPlaying
+from omote.perform.spring_playing import SpringPlaying
+from omote.perform.springs.springs import release_springs
 
 MOMENT = 1e-4
 """Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
-class Performer(SpeechPlaying):
+class Performer(SpringPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -475,7 +476,7 @@ class Performer(SpeechPlaying):
         self._speak(dt)
         self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
-        return self._frame()
+        return self._with_springs(self._frame(), dt, self._held())
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
         """Takes one frame of a source that is checked already, as `drive`.
@@ -678,6 +679,7 @@ def _at_rest(now: Snapshot) -> Snapshot:
         else replace(set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)), lost=False),
         speaking=None,
         gestures=release_gestures(now.gestures),
+        springs=release_springs(now.springs),
     )
 
 

@@ -30,6 +30,7 @@ from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
+from omote.perform.springs.springs import Springs, check_springs
 
 
 class Playable(Protocol):
@@ -69,6 +70,7 @@ class Snapshot:
     while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
     is said; `said` counts all that was, `spoken` is the key of what was said
     to its end last. `gestures`: those that run. `clips`: those that play, the oldest first; `played` counts all.
+    `springs`: how much of them is set and how they move, None while none has moved.
     """
 
     face: Axis
@@ -91,6 +93,7 @@ class Snapshot:
     gestures: tuple[Gesture, ...] = ()
     clips: tuple[ClipRun, ...] = ()
     played: int = 0
+    springs: Springs | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -129,6 +132,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_speaking(snapshot.speaking)
     check_gestures(snapshot.gestures)
     check_runs(snapshot.clips)
+    check_springs(snapshot.springs)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:
