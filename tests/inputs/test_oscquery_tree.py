@@ -24,6 +24,7 @@ from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.speech.spelling import LANGUAGES
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
@@ -89,6 +90,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             layered = address.path.startswith("layer")
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
+            known = {*SPRING_NAMES} if address.path.startswith("spring") else known
             known = set() if address.path.startswith(("memory", "clip")) else known  # whose names no cast has
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]

@@ -49,6 +49,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         clips=tuple(
             ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
+        springs={str(name): amount for name, amount in character.springs.items()},
     )
 
 

@@ -10,6 +10,7 @@ import msgspec
 from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
+from omote.perform.springs.cast_springs import SpringName
 from omote.show.declaration import ServerMessage
 from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.link import Bus
@@ -143,6 +144,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
+    `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: dict[str, float]
@@ -172,6 +174,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     speech: SpeechState | None = None
     spoken: str = ""
     clips: list[ClipState] = []
+    springs: dict[SpringName, float] = {}
 
 
 class State(ServerMessage, frozen=True):

@@ -32,6 +32,7 @@ const CALM: CharacterState = {
   speech: null,
   spoken: "",
   clips: [],
+  springs: {},
 };
 const REST: State = {
   type: "state",
