@@ -171,7 +171,7 @@ def test_ears_swing_on_animals_alone_and_jowls_most_on_the_heavy() -> None:
     for name in ("jowls-sway", "cheeks-bounce"):
         reached = {face.name: reach(face, name) for face in FACES}
         assert max(reached, key=lambda each: reached[each]) == "heavy"
-        assert max(reached["noh"], reached["doll"]) < 0.0015 < 2.0 * reached["gaunt"] < reached["generic"] * 1.5
+        assert max(reached[each] for each in ("noh", "doll", "gaunt")) < 0.5 * reached["generic"]
 
 
 @pytest.mark.parametrize("face", ["dog", "cat"])

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from omote.perform.frame import Frame, Head
-from omote.perform.springs.cast_springs import SPRINGS, check_spring, springs_of, without_springs
+from omote.perform.springs.cast_springs import SPRINGS
 from omote.perform.springs.spring import SpringState
 from omote.perform.springs.springs import (
     AT_HOME,
@@ -75,18 +75,6 @@ def test_a_panic_brings_them_to_rest_in_its_time() -> None:
     assert after(later, ticks=1) == replace(later, moving={}, released=None)
     assert release_springs(None) is None
     assert release_springs(AT_REST) is AT_REST
-
-
-def test_a_cast_has_the_springs_of_its_channels() -> None:
-    assert [*springs_of({"ears-flap", "smile"})] == ["ears-flap"]
-    with pytest.raises(ValueError, match="there is no spring 'tail'"):
-        check_spring("tail")
-
-
-def test_what_is_kept_of_a_face_has_no_swing_of_the_moment_in_it() -> None:
-    shown = {"jawOpen": 0.5, "ears-sway": 0.75, "ears-flap": -0.5}
-    assert without_springs(shown, {"ears-sway": 0.25, "jawOpen": 0.125}) == {"jawOpen": 0.5, "ears-sway": 0.25}
-    assert without_springs(shown, None) == shown
 
 
 @pytest.mark.parametrize(

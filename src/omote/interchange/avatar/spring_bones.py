@@ -59,8 +59,8 @@ def find_ear_bones(space: ParameterSpace, face: Face, shift: Points, /) -> tuple
         if ear is not None:
             reach = float(((rest[shares >= 1.0] - ear.root) @ ear.direction).max())
             end = ear.root + reach * ear.direction
-            root, tip = Joint(name, _place(ear.root + shift), HANGS_ON), Joint(f"{name}Tip", _place(end + shift), name)
-            bones.append(EarBone(root, tip, shares))
+            root = Joint(name, _place(ear.root + shift), HANGS_ON)
+            bones.append(EarBone(root, Joint(f"{name}Tip", _place(end + shift), name), shares))
     return tuple(bones)
 
 

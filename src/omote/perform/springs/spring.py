@@ -143,8 +143,8 @@ def decay_of(frequency: float, damping: float, dt: float) -> Decay:
     while step * rate > _LARGEST:
         step *= 0.5
         halvings += 1
-    one, times = 1.0, 0.0  # the series so far is one 1 + times A
-    power_one, power_times = 1.0, 0.0
+    one = power_one = 1.0  # the series so far is one 1 + times A
+    times = power_times = 0.0
     for term in range(1, _TERMS + 1):
         share = step / term
         power_one, power_times = -stiffness * power_times * share, (power_one - friction * power_times) * share

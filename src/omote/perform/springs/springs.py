@@ -102,7 +102,7 @@ def advance_springs(
     moving = dict[SpringName, SpringState]()
     channels = frame.channels
     head = frame.head
-    yaw, pitch, roll = head.yaw + travel.turn, head.pitch, head.roll
+    yaw = head.yaw + travel.turn
     for name, spring in known.items():
         goal = scale * springs.amounts.get(name, 1.0)
         state = springs.moving.get(name)
@@ -113,7 +113,7 @@ def advance_springs(
         if not (goal or state.second):
             continue
         by_yaw, by_pitch, by_roll, by_x = spring.turns
-        driver = by_yaw * yaw + by_pitch * pitch + by_roll * roll + by_x * travel.x
+        driver = by_yaw * yaw + by_pitch * head.pitch + by_roll * head.roll + by_x * travel.x
         for channel, radians in spring.others:
             driver += radians * channels.get(channel, 0.0)
         moving[name] = advance_spring(spring, state, driver, dt)
