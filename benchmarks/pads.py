@@ -177,14 +177,16 @@ def main() -> int:
     console = Console(width=120)
     console.print(table)
     places = layout(np.random.default_rng(seed), 2, MOST_LOOKS)
-    pad, peer_of = pad_of(places), delaunay(places)
+    pad = pad_of(places)
+    peer_of = delaunay(places)
     at = tuple(map(float, places.mean(0)))
     mine_us = microseconds(lambda: pad.weights_at(at))
     peer_us = microseconds(lambda: peer_of(places.mean(0)))
     met &= mine_us <= BAR_MICROSECONDS
     console.print(f"twelve looks: {mine_us:.2f} us, Delaunay {peer_us:.1f} us: {peer_us / mine_us:.1f} times as long")
     cast = omote.load_cast()
-    without, with_pads = tick(cast, pads=False), tick(cast, pads=True)
+    without = tick(cast, pads=False)
+    with_pads = tick(cast, pads=True)
     met &= with_pads <= BAR_TICK * without
     console.print(f"tick: {without:.0f} us, with four pads that move {with_pads:.0f}: {with_pads / without:.2f} of it")
     return 0 if met else 1

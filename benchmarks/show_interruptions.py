@@ -204,9 +204,9 @@ class Stroke:
 
     def at(self, now: float) -> tuple[float, float]:
         """Where it is."""
-        y = EASINGS[DEFAULT_EASING].value(min(1.0, max(0.0, (now - self.since) / self.seconds)))
-        (x, y1), (to_x, to_y) = self.begin, self.end
-        return x + (to_x - x) * y, y1 + (to_y - y1) * y
+        share = EASINGS[DEFAULT_EASING].value(min(1.0, (now - self.since) / self.seconds))
+        x, y = (start + (stop - start) * share for start, stop in zip(self.begin, self.end, strict=True))
+        return x, y
 
 
 def begin_stroke(session: ShowSession, message: ClientMessage, aim: tuple[float, float], now: float) -> Stroke | None:

@@ -26,8 +26,8 @@ def test_news_are_told_once_soon_and_not_too_often(cast: Cast) -> None:
     assert listing.news(second, cast, 5.0) == list_pads(second, cast)
     third = dict(second)
     assert listing.news(third, cast, 5.0 + AGAIN_SECONDS / 2) is None
-    assert listing.news(third, cast, 5.0 + AGAIN_SECONDS) == list_pads(third, cast)
+    assert listing.news(third, cast, 5.5) == list_pads(third, cast)
     other = cast.with_expressions(beam=cast.expressions["smile"])
-    told = listing.news(third, other, 6.0)
+    told = listing.news(third, other, 6.5)
     assert told is not None
     assert told.pads[0].missing == []
