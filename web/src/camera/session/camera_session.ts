@@ -1,7 +1,7 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
 import { type HealthLine, judgeFace, Rate } from "../../face_mesh/face_health";
-import type { Backend } from "../../face_mesh/face_mesh";
+import type { Backend } from "../../face_mesh/solution";
 import { LandmarkClient, type Messenger } from "../../face_mesh/landmark_client";
 import type { Landmarks } from "../../face_mesh/landmark_messages";
 import { CAMERA_KEY, type CameraDevice, CameraStream, type CameraTrouble } from "../../webcam/camera_stream";

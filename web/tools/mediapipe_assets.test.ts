@@ -1,13 +1,15 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { expect, it } from "vitest";
-import { patchGlue } from "./face_mesh_assets.ts";
+import { patchGlue } from "./mediapipe_assets.ts";
 
 const read = (path: string): string => readFileSync(resolve(import.meta.dirname, path), "utf8");
-const glue = read("../node_modules/@mediapipe/face_mesh/face_mesh_solution_simd_wasm_bin.js");
+const glueOf = (name: string): string => read(`../node_modules/@mediapipe/${name}/${name}_solution_simd_wasm_bin.js`);
+const glue = glueOf("face_mesh");
 const closures = read("embind_closures.js");
 
-it("leaves no function that is made from a string, and the rest as it is", () => {
+it.each(["face_mesh", "hands"])("leaves no function of %s that is made from a string, and the rest as it is", (name) => {
+  const glue = glueOf(name);
   const patched = patchGlue(glue, closures);
   expect(patched).not.toMatch(/new Function\(|new_\(Function/);
   expect(() => new Function(patched)).not.toThrow();
