@@ -4,6 +4,12 @@ import type { FaceFound, FromWorker, LookedAt, ToWorker } from "./landmark_messa
 import type { Backend } from "./solution";
 import warmUpFace from "./warm_up_face.jpg?no-inline";
 
+/** How far a model is. */
+export type ModelState =
+  | { kind: "loading"; what: string; share: number }
+  | { kind: "ready"; backend: Backend; cost: number }
+  | { kind: "failed"; reason: string };
+
 /** What the page is told. */
 export interface LandmarkListener<Found = FaceFound> {
   loading(what: string, share: number): void;
