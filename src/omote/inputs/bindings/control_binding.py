@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from omote.inputs.bindings.target import BoundTarget
+from omote.inputs.osc_hands import HAND_AXES
 
 Button = Literal["momentary", "toggle"]
 Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
@@ -30,7 +31,7 @@ class Binding:
 
     device, control: their names, as a `Reading` has them; low, high: the values at both ends of the control (high may
     be the lower one); curve: exponent of the way between them; pick_up: a fader acts once it has crossed the value on
-    air; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
+    air, never an axis of a hand, which moves all the time; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
     step of an encoder moves; bank: the bank in which it plays, "" for all.
     """
 
@@ -59,6 +60,9 @@ class Binding:
             self._check_range()
         elif self.button is not None or self.relative is not None:
             raise ValueError(f"{self.target.path} is called by a press; button and relative are for levels")
+
+        if self.control in HAND_AXES:
+            object.__setattr__(self, "pick_up", False)
 
     def _check_range(self) -> None:
         value = self.target.values[self.target.axis]
