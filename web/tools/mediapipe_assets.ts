@@ -1,4 +1,4 @@
-/** Puts MediaPipe's models into the built pages: their files as they are, but for functions that they make from strings. */
+/** Puts MediaPipe's models into the built pages: their files as they are, but for functions that one makes from strings. */
 
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
@@ -48,10 +48,11 @@ const filesOf = (model: Model): string[] => [
   ...model.files,
 ];
 
-/** What the licence asks of whoever passes changed files on. */
+const CHANGED = ` Omote changed ${glueOf(FACE_MESH)}: three functions that embind made from strings are closures.`;
+/** What the licence asks of whoever passes files on, and of whoever has changed them. */
 const noticeOf = (model: Model): string =>
   `MediaPipe ${model.title} ${model.version} (npm @mediapipe/${model.name}), by the MediaPipe authors, under the Apache
-License 2.0 (LICENSE beside this file). Omote changed ${glueOf(model)}: three functions that embind made from strings are closures.
+License 2.0 (LICENSE beside this file).${model === FACE_MESH ? CHANGED : ""}
 `;
 const REPLACED: readonly (readonly [name: string, next: string])[] = [
   ["createNamedFunction", "var emval_free_list"],
@@ -59,16 +60,19 @@ const REPLACED: readonly (readonly [name: string, next: string])[] = [
   ["__emval_get_method_caller", "function __emval_incref"],
 ];
 
-/** The glue with closures in place of functions made from strings; an Error where it is not the glue that we know. */
+const FROM_STRINGS = /new Function\(|new_\(Function|\beval\(/;
+
+/** The glue with closures in place of functions made from strings, where it has such; an Error where it is not the glue that we know. */
 export function patchGlue(glue: string, closures: string): string {
   let patched = glue;
+  if (!FROM_STRINGS.test(glue)) return glue; // a newer embind
   for (const [name, next] of REPLACED) {
     const start = patched.indexOf(`function ${name}(`);
     const end = patched.indexOf(next, start);
     if (start < 0 || end < 0) throw new Error(`the glue has no ${name} before ${next}: look at its new version`);
     patched = patched.slice(0, start) + functionText(closures, name) + patched.slice(end);
   }
-  if (/new Function\(|new_\(Function|\beval\(/.test(patched)) throw new Error("the glue still makes code from strings");
+  if (FROM_STRINGS.test(patched)) throw new Error("the glue still makes code from strings");
   return patched;
 }
 

@@ -1,7 +1,7 @@
 """Hands that other programs send by OSC, gloves, Leap and telephones: each a device, its axes the controls.
 
-`/omote/{character}/hand/{right or left}/{axis}` with one number; a bundle a frame. `opening` and `curl1` to `curl4` (from
-the index to the little finger) are 0 to 1, `yaw`, `pitch` and `roll` radians.
+`/omote/{character}/hand/{right or left}/{axis}` with one number; a bundle a frame. `opening` and `curl1` to `curl4`
+(from the index to the little finger) are 0 to 1, `yaw`, `pitch` and `roll` radians.
 """
 
 from __future__ import annotations

@@ -47,10 +47,10 @@ class Surface:
 class OscInput:
     """Carries out on a session what packets ask for, and tells surfaces that subscribed what is on air.
 
-    hands: what hands it heard, until they are taken. heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message; alike: how many
-    in a row had its address. kind: sets its senders apart from others in the session; title: stands before a sender's
-    host where consoles show it; seat_of: the seat for which a host plays, "" for its own; port_of: where a tracker's
-    protocol is heard, None where it is not.
+    hands: what hands it heard, until they are taken. heard, rejected: counts of messages; last_rejection: the newest of
+    these; newest: the last message; alike: how many in a row had its address. kind: sets its senders apart from others
+    in the session; title: stands before a sender's host where consoles show it; seat_of: the seat for which a host
+    plays, "" for its own; port_of: where a tracker's protocol is heard, None where it is not.
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:

@@ -267,7 +267,7 @@ def test_what_cannot_be_done_is_rejected_with_a_reason(stage: Stage) -> None:
     stage.begin()
     later: tuple[tuple[wire.FromCamera, str], ...] = (
         (wire.PlayCharacters(["nobody"]), "no character 'nobody'"),
-        (wire.PlayHand(["nobody"]), "no character 'nobody'"),
+        (wire.PlayHand(["nobody"], []), "no character 'nobody'"),
         (wire.RedoStep("aa"), "begin the guided minute"),
         (wire.DeletePerformer(), "no performer 'Ada'"),
         (wire.UndoPerformer(), "nothing to undo"),

@@ -73,7 +73,7 @@ def test_a_hand_takes_the_mouth_and_the_head_of_a_face_and_gives_them_back(stage
 
 
 def test_a_hand_is_a_source_from_its_first_frame_to_its_end(stage: Stage) -> None:
-    stage.hands.choose("Ada", wire.PlayHand(["one"]))
+    stage.hands.choose("Ada", wire.PlayHand(["one"], []))
     assert [each.name for each in stage.session.sources.states({})] == []
     assert [each.played for each in stage.hands.choice("Ada").characters] == [True]
     stage.play(1.0, frame(0.5))
@@ -84,7 +84,7 @@ def test_a_hand_is_a_source_from_its_first_frame_to_its_end(stage: Stage) -> Non
 
 
 def test_no_number_of_a_frame_breaks_what_shows(stage: Stage) -> None:
-    stage.hands.choose("Ada", wire.PlayHand(["one"]))
+    stage.hands.choose("Ada", wire.PlayHand(["one"], []))
 
     @settings(max_examples=60, deadline=None)
     @given(value=st.floats(), angle=st.floats(), name=st.text(max_size=8))

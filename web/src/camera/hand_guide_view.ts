@@ -65,7 +65,7 @@ export class HandGuideView extends CameraElement {
   override render() {
     const { minute } = this.session.hand;
     if (minute === null) return nothing;
-    requestAnimationFrame((now) => this.#next(now)); // the drawn hand moves with the screen
+    requestAnimationFrame(() => this.#next()); // the drawn hand moves with the screen
     const { phase, left, advice, targets, share } = minute.state;
     return html`<section class=${phase} aria-label="Guided minute of the hand">
       <svg viewBox="0 0 220 140" role="img" aria-label=${advice}>${svg`${drawHand(targets)}`}</svg>
@@ -79,8 +79,8 @@ export class HandGuideView extends CameraElement {
     </section>`;
   }
 
-  #next(now: number): void {
-    this.session.hand.minute?.pass(now / 1000);
+  #next(): void {
+    this.session.hand.minute?.pass(performance.now() / 1000);
     this.requestUpdate();
   }
 }

@@ -145,7 +145,7 @@ export class HandPanel extends CameraElement {
         ([label, taken], place) =>
           html`<option value=${place} ?selected=${taken.join() === parts.join()}>${label}</option>`,
       )}</select></label>
-      <p>Thumb against fingers is the jaw, the wrist the head; the index finger moves the brows, the little finger the corners of the mouth.</p></section>`;
+      <p>Thumb against fingers is the jaw, the wrist the head; index and middle finger move the brows, ring and little finger the corners of the mouth.</p></section>`;
   }
 
   #axes() {

@@ -82,6 +82,7 @@ it("keeps a calibration as text, and takes no other text for one", () => {
     "[1]",
     text.replace('"version":1', '"version":2'),
     text.replace('"delay":', '"x":'),
+    text.replace('"palms":[[', '"palms":[[1,'),
   ])
     expect(readCalibration(wrong)).toBeNull();
 });

@@ -2,14 +2,15 @@
 
 import { GUIDE_SECONDS, guideTargets, HAND_AXES, REST_SECONDS } from "./hand_guide";
 import type { FoundHand } from "./hand_messages";
-import { type Axes, handShape, palmOf, palmTurn } from "./palm";
+import { type Axes, handShape, palmOf, palmTurn, SHAPE_SIZE, squarePoints } from "./palm";
 import { applyRidge, correlation, type Ridge, RidgeFit } from "./ridge";
 
 /** A hand in one picture of the guided minute. time: seconds of the minute. */
 export interface HandSample {
   time: number;
-  shape: ArrayLike<number>;
-  palm: Axes;
+  shape: Float64Array;
+  /** Of the palm in the picture, and in the model's own space. */
+  palms: readonly [Axes, Axes];
   side: "left" | "right";
   /** Where the wrist is: fractions of the picture. */
   place: readonly [number, number];
@@ -25,27 +26,32 @@ export interface HandCalibration {
   place: [number, number];
   /** Seconds by which the performer follows the drawn hand. */
   delay: number;
-  palm: number[];
-  shape: Ridge;
-  turn: Ridge;
+  /** The palms at rest, as of a sample. */
+  palms: [number[], number[]];
+  /** From the shape and the turns of both palms to the axes. */
+  map: Ridge;
   /** How well each axis was followed, a correlation. */
   fit: number[];
 }
 
 /** Samples that a minute has at least: five a second. */
 export const FEWEST_SAMPLES = 250;
-/** Of the count of samples: added to the diagonal of both regressions. */
-const SHRINK = { shape: 0.01, turn: 0.001 };
+/** Of the count of samples: added to the diagonal of the regression. */
+const SHRINK = 0.01;
+/** Numbers that the map reads: the shape, and two turns. */
+const INPUT_SIZE = SHAPE_SIZE + 6;
 /** Seconds by which people follow what they see: looked for up to here, by this step. */
 const LONGEST_DELAY = 0.7;
 const DELAY_STEP = 0.02;
-const SHAPE_AXES = 3;
 
 /** The sample of a hand; null where its points give no palm. width, height: of the picture; time: of the minute, seconds. */
 export function handSample(hand: FoundHand, width: number, height: number, time: number): HandSample | null {
-  const [shape, palm] = [handShape(hand, width, height), palmOf(hand.world)];
-  if (shape === null || palm === null) return null;
-  return { time, shape, palm: palm.axes, side: hand.side, place: [hand.image[0] ?? 0, hand.image[1] ?? 0] };
+  const shape = handShape(hand, width, height);
+  const seen = palmOf(squarePoints(hand.image, width, height));
+  const own = palmOf(hand.world);
+  if (shape === null || seen === null || own === null) return null;
+  const place = [hand.image[0] ?? 0, hand.image[1] ?? 0] as const;
+  return { time, shape, palms: [seen.axes, own.axes], side: hand.side, place };
 }
 
 /** The calibration by a guided minute; an Error with what to do where the samples give none. made: ms since 1970. */
@@ -56,20 +62,14 @@ export function fitHand(samples: readonly HandSample[], camera: string, made: nu
       `the hand was seen in ${samples.length} pictures; ${FEWEST_SAMPLES} are needed, some of them at the beginning. More light, a plain background, less on this machine; then again.`,
     );
   }
-  const palm = middlePalm(rests.map((sample) => sample.palm));
-  const shapes = new RidgeFit(
-    samples.map(({ shape }) => shape),
-    SHRINK.shape,
-  );
-  const turns = samples.map((sample) => palmTurn(sample.palm, palm));
-  const delay = findDelay(samples, shapes);
+  const middle = (set: 0 | 1): number[] => middlePalm(rests.map(({ palms }) => palms[set]));
+  const palms: [number[], number[]] = [middle(0), middle(1)];
+  const inputs = samples.map((sample) => mapInput(sample, palms));
+  const ridge = new RidgeFit(inputs, SHRINK);
+  const delay = findDelay(samples, inputs, ridge);
   const wanted = targetsOf(samples, delay);
-  const shape = shapes.solve(wanted.slice(0, SHAPE_AXES));
-  const turn = new RidgeFit(turns, SHRINK.turn).solve(wanted.slice(SHAPE_AXES));
-  const read = samples.map((sample, place) => [
-    ...applyRidge(shape, sample.shape),
-    ...applyRidge(turn, turns[place] ?? []),
-  ]);
+  const map = ridge.solve(wanted);
+  const read = inputs.map((input) => applyRidge(map, input));
   const fit = wanted.map((values, axis) =>
     correlation(
       values,
@@ -84,29 +84,36 @@ export function fitHand(samples: readonly HandSample[], camera: string, made: nu
     side: 2 * right > samples.length ? "right" : "left",
     place: [median(samples.map(({ place }) => place[0])), median(samples.map(({ place }) => place[1]))],
     delay,
-    palm,
-    shape,
-    turn,
+    palms,
+    map,
     fit,
   };
 }
 
 /** What a hand does by a calibration, unfiltered: axes of `HAND_AXES`. */
-export function readHand(calibration: HandCalibration, sample: Pick<HandSample, "shape" | "palm">): number[] {
-  const turn = palmTurn(sample.palm, calibration.palm);
-  const values = [...applyRidge(calibration.shape, sample.shape), ...applyRidge(calibration.turn, turn)];
+export function readHand(calibration: HandCalibration, sample: Pick<HandSample, "shape" | "palms">): number[] {
+  const values = applyRidge(calibration.map, mapInput(sample, calibration.palms));
   return values.map((value, axis) => Math.min(1, Math.max(axis === 0 ? 0 : -1, value)));
 }
 
+/** What the map reads: the shape, and how both palms have turned since they rested. */
+function mapInput({ shape, palms }: Pick<HandSample, "shape" | "palms">, rest: readonly [Axes, Axes]): Float64Array {
+  const input = new Float64Array(INPUT_SIZE);
+  input.set(shape);
+  input.set(palmTurn(palms[0], rest[0]), shape.length);
+  input.set(palmTurn(palms[1], rest[1]), shape.length + 3);
+  return input;
+}
+
 /** The delay at which the moves asked for explain best what was seen. */
-function findDelay(samples: readonly HandSample[], shapes: RidgeFit): number {
+function findDelay(samples: readonly HandSample[], inputs: readonly Float64Array[], ridge: RidgeFit): number {
   let [best, delay] = [Number.NEGATIVE_INFINITY, 0];
   for (let tried = 0; tried <= LONGEST_DELAY; tried += DELAY_STEP) {
     const [wanted = []] = targetsOf(samples, tried);
-    const map = shapes.solve([wanted]);
+    const map = ridge.solve([wanted]);
     const found = correlation(
       wanted,
-      samples.map(({ shape }) => applyRidge(map, shape)[0] ?? 0),
+      inputs.map((input) => applyRidge(map, input)[0] ?? 0),
     );
     if (found > best) [best, delay] = [found, tried];
   }
@@ -139,28 +146,19 @@ export function readCalibration(text: string | null): HandCalibration | null {
   if (text === null) return null;
   try {
     const kept = JSON.parse(text) as HandCalibration;
-    const numbers = [
-      kept.made,
-      kept.delay,
-      ...kept.place,
-      ...kept.palm,
-      ...kept.fit,
-      ...mapNumbers(kept.shape),
-      ...mapNumbers(kept.turn),
-    ];
-    const whole = kept.palm.length === 9 && kept.shape.weights.length === SHAPE_AXES && kept.turn.weights.length === 3;
-    return kept.version === 1 && whole && numbers.every(Number.isFinite) ? kept : null;
+    const { means, scales, offsets, weights } = kept.map;
+    const palms = kept.palms.flat();
+    const numbers = [kept.made, kept.delay, ...kept.place, ...palms, ...kept.fit, ...means, ...scales, ...offsets];
+    const whole =
+      kept.version === 1 &&
+      palms.length === 18 &&
+      weights.length === HAND_AXES.length &&
+      weights.every((row) => row.length === INPUT_SIZE);
+    return whole && [...numbers, ...weights.flat()].every(Number.isFinite) ? kept : null;
   } catch {
     return null;
   }
 }
-
-const mapNumbers = ({ means, scales, offsets, weights }: Ridge): number[] => [
-  ...means,
-  ...scales,
-  ...offsets,
-  ...weights.flat(),
-];
 
 /** Days after which a calibration is called old: a camera is seldom put down twice at the same place. */
 const OLD_DAYS = 7;

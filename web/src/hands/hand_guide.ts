@@ -5,7 +5,7 @@
 
 import moves from "./guide_moves.json";
 
-/** The axes of a hand: the opening of the mouth that thumb and fingers make (0..1), two curls (-1 lifted..1 bent), three turns of the wrist (-1..1). */
+/** The axes of a hand: the opening of the mouth that thumb and fingers make (0..1), two curls (-1 lifted..1 bent) of the index with the middle finger and of the little with the ring finger, three turns of the wrist (-1..1). */
 export const HAND_AXES = ["opening", "index", "little", "yaw", "pitch", "roll"] as const;
 export type HandAxis = (typeof HAND_AXES)[number];
 /** What a hand does, by axis. */
@@ -22,8 +22,8 @@ const ADVICE: Record<string, string> = {
   rest: "Hand in profile, thumb against fingers, still",
   open: "Open and shut your hand with the drawn one",
   chatter: "Faster: chatter with it",
-  first: "Lift and bend the index finger alone, and open slowly",
-  last: "Lift and bend the little finger alone, and open slowly",
+  first: "Lift and bend the index and the middle finger, and open slowly",
+  last: "Lift and bend the little and the ring finger, and open slowly",
   turn: "Turn the hand to the side and back, at the wrist",
   nod: "Nod with the hand, up and down",
   tilt: "Tilt the hand, as a head to its shoulder",

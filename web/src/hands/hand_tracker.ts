@@ -1,10 +1,10 @@
 /** Reads the playing hand of each picture by its calibration; the other hand is a point. */
 
-import { type HandCalibration, readHand } from "./hand_calibration";
+import { type HandCalibration, handSample, readHand } from "./hand_calibration";
 import { HAND_AXES, type HandAxes } from "./hand_guide";
 import type { FoundHand, Hands } from "./hand_messages";
 import { OneEuroFilter } from "./one_euro";
-import { handShape, palmOf, widthAngle } from "./palm";
+import { widthAngle } from "./palm";
 
 /** What a picture shows of the playing hand. */
 export interface HandReading {
@@ -82,10 +82,10 @@ export class HandTracker {
   }
 
   #axes(hand: FoundHand, { width, height }: Hands, time: number): HandAxes | null {
-    const [shape, palm] = [handShape(hand, width, height), palmOf(hand.world)];
-    if (this.calibration === null || shape === null || palm === null) return null;
-    this.#watchTurn(widthAngle(palm.axes, this.calibration.palm), time);
-    const values = this.#filter.follow(readHand(this.calibration, { shape, palm: palm.axes }), time);
+    const sample = handSample(hand, width, height, time);
+    if (this.calibration === null || sample === null) return null;
+    this.#watchTurn(widthAngle(sample.palms[1], this.calibration.palms[1]), time);
+    const values = this.#filter.follow(readHand(this.calibration, sample), time);
     return Object.fromEntries(HAND_AXES.map((axis, place) => [axis, values[place] ?? 0])) as HandAxes;
   }
 

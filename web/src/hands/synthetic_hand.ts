@@ -21,8 +21,8 @@ function palmPoints({ opening, index, little }: HandAxes): Triple[] {
   for (const length of [0.03, 0.06, 0.085, 0.105]) {
     points.push([0.02, length * Math.cos(thumb) * 0.9, length * Math.sin(thumb) + 0.01]);
   }
-  [0.025, 0.004, -0.016, -0.035].forEach((width, finger) => {
-    const curl = [index, 0.3 * index, 0.3 * little, little][finger] ?? 0;
+  [0.025, 0, -0.018, -0.035].forEach((width, finger) => {
+    const curl = [index, 0.8 * index, 0.8 * little, little][finger] ?? 0;
     let [along, normal, bend] = [0.09 - 0.004 * finger, 0, 0.9 - 0.8 * opening + 0.2 * curl];
     points.push([width, along, normal]);
     for (const length of [0.04, 0.025, 0.02]) {

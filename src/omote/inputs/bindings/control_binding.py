@@ -31,8 +31,9 @@ class Binding:
 
     device, control: their names, as a `Reading` has them; low, high: the values at both ends of the control (high may
     be the lower one); curve: exponent of the way between them; pick_up: a fader acts once it has crossed the value on
-    air, never an axis of a hand, which moves all the time; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
-    step of an encoder moves; bank: the bank in which it plays, "" for all.
+    air, never an axis of a hand, which moves all the time; button: of a button that moves a level; relative: of an
+    encoder without ends; step: part of the range that one step of an encoder moves; bank: the bank in which it plays,
+    "" for all.
     """
 
     device: str
@@ -48,6 +49,7 @@ class Binding:
     bank: str = ""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "pick_up", self.pick_up and self.control not in HAND_AXES)
         for what, name in (("device", self.device), ("control", self.control)):
             if not 1 <= len(name) <= LONGEST_NAME:
                 raise ValueError(f"the {what} is {name[:80]!r}; give its name, of at most {LONGEST_NAME} characters")
@@ -60,9 +62,6 @@ class Binding:
             self._check_range()
         elif self.button is not None or self.relative is not None:
             raise ValueError(f"{self.target.path} is called by a press; button and relative are for levels")
-
-        if self.control in HAND_AXES:
-            object.__setattr__(self, "pick_up", False)
 
     def _check_range(self) -> None:
         value = self.target.values[self.target.axis]

@@ -23,8 +23,8 @@ DEAD = 0.06
 
 
 class PluggedDevice:
-    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called; heard: when something of it
-    came last, of a hand by OSC; is_bound: whether a control of it is."""
+    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called; heard: when
+    something of it came last, of a hand by OSC; is_bound: whether a control of it is."""
 
     def __init__(
         self,
@@ -49,8 +49,8 @@ class PluggedDevice:
 
     def plug(self, kind: SourceKind, who: str, where: str, preset: Preset | None) -> None:
         """Notes that it is there, for the first time or again: nothing is known of how its controls and lamps are.
-        kind: midi, gamepad or space_mouse, or osc of a hand that a program sends; who: the page's client; where: what that is called; preset: how it is
-        shown."""
+        kind: midi, gamepad or space_mouse, or osc of a hand that a program sends; who: the page's client; where: what
+        that is called; preset: how it is shown."""
         self.kind = kind
         self.who = who
         self.where = where

@@ -39,12 +39,12 @@ class PlayCharacters(Message, frozen=True):
 
 class HandFrame(Message, frozen=True):
     """What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
-    (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock; `found`:
-    false while no hand is seen."""
+    (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
+    `found`: false while no hand is seen."""
 
     time: float
     found: bool
-    weights: Annotated[dict[PerformerName, float], msgspec.Meta(max_length=MOST_HAND_CHANNELS)] = {}
+    weights: Annotated[dict[PerformerName, float], msgspec.Meta(max_length=MOST_HAND_CHANNELS)]
     head: tuple[float, float, float] | None = None
 
 
@@ -52,7 +52,7 @@ class PlayHand(Message, frozen=True):
     """Chooses the characters that this performer's hand plays, and in which regions (none named: all)."""
 
     characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
-    regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)] = []
+    regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)]
 
 
 class BeginGuide(Message, frozen=True):

@@ -10,15 +10,15 @@ export type Perform = { type: "perform"; version: number; name: string };
 export type PlayCharacters = { type: "play_characters"; characters: string[] };
 
 /**
- * What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
- * (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock; `found`:
- * false while no hand is seen.
+ * What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head (yaw,
+ * pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock; `found`: false
+ * while no hand is seen.
  */
 export type HandFrame = {
   type: "hand_frame";
   time: number;
   found: boolean;
-  weights?: Record<string, number>;
+  weights: Record<string, number>;
   head?: [number, number, number] | null;
 };
 
@@ -26,7 +26,7 @@ export type HandFrame = {
 export type PlayHand = {
   type: "play_hand";
   characters: string[];
-  regions?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
 };
 
 /** Begins the guided minute, or with `rest` only a moment of the face at rest. */
