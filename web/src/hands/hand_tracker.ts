@@ -60,7 +60,7 @@ export class HandTracker {
       axes: hand === undefined ? null : this.#axes(hand, hands, time),
       place: hand === undefined ? null : mirrored(wristOf(hand)),
       other: other === undefined || playing < 0 ? null : this.#point(other, time),
-      turned: Math.abs(this.#turn) > TURNED,
+      turned: hand !== undefined && this.#turn > TURNED,
     };
   }
 
