@@ -59,7 +59,7 @@ USED: dict[str, str] = {
         "link ui access console/store console/show_file console/devices console/leases console/panels console"
     ),
     "console/cues_page": (
-        "link ui access console/store console/leases console/panels console console/cues console/clips"
+        "link ui access rehearsal console/store console/leases console/panels console console/cues console/clips"
     ),
     "console/clips_page": "link ui access console/store console/leases console/panels console console/clips",
     "microphone": "link ui access",

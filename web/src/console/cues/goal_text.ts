@@ -37,7 +37,7 @@ const ownerOf = (part: string): string => part.slice(0, part.lastIndexOf("/"));
 /** How the text says that a region goes with the whole face. */
 const WITH_FACE = "face";
 /** How it says that clips stop. */
-const STOP = "stop";
+export const STOP = "stop";
 
 /** What a goal of each part that is numbers looks like. */
 const NUMBERS: Readonly<Record<string, Goal>> = {
