@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.inputs.performers import camera_messages as wire
-from omote.inputs.performers.hand_input import HandInput
+from omote.inputs.performers.hand_input import POINT, HandInput
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
@@ -81,6 +81,16 @@ def test_a_hand_is_a_source_from_its_first_frame_to_its_end(stage: Stage) -> Non
     stage.hands.end("Ada")
     assert [each.name for each in stage.session.sources.states({})] == []
     assert [each.played for each in stage.hands.choice("Ada").characters] == [True]
+
+
+def test_the_other_hand_moves_the_point_of_a_pad_on_the_characters_of_the_hand(stage: Stage) -> None:
+    pad = next(name for name, kept in stage.session.scene.pads.items() if kept.dimensions >= POINT)
+    assert pad in stage.hands.choice("Ada").pads
+    stage.hands.choose("Ada", wire.PlayHand(["one"], []))
+    for name in (pad, "no pad", pad):
+        stage.play(0.5, wire.HandFrame(0.0, True, {"jawOpen": 0.0}, None, name, (0.25, -7.0)))
+    assert stage.session.tick(stage.now).characters["one"].pads[pad].place[:2] == pytest.approx((0.25, -1.0))
+    assert stage.hands.trackers.rejected == 0
 
 
 def test_no_number_of_a_frame_breaks_what_shows(stage: Stage) -> None:

@@ -127,7 +127,7 @@ export class HandPanel extends CameraElement {
     return `${seen} Read by the guided minute of ${made}: your ${calibration.side} hand, ${Math.round(1000 * calibration.delay)} ms behind the drawn one.${speed}`;
   }
 
-  #plays({ characters, regions }: HandChoice) {
+  #plays({ characters, regions, pads }: HandChoice) {
     const played = characters.filter((character) => character.played).map(({ name }) => name);
     const parts = regions.length === ALL_PARTS ? [] : regions;
     const play = (chosen: string[], taken: HandChoice["regions"]): void =>
@@ -145,7 +145,15 @@ export class HandPanel extends CameraElement {
         ([label, taken], place) =>
           html`<option value=${place} ?selected=${taken.join() === parts.join()}>${label}</option>`,
       )}</select></label>
+      ${this.session.hand.count === 2 ? this.#pad(pads) : nothing}
       <p>Thumb against fingers is the jaw, the wrist the head; index and middle finger move the brows, ring and little finger the corners of the mouth.</p></section>`;
+  }
+
+  #pad(pads: string[]) {
+    const { hand } = this.session;
+    return html`<label>The other hand moves <select aria-label="The other hand moves" @change=${(event: Event) => hand.choosePad(textOf(event))}>
+      <option value="" ?selected=${hand.pad === ""}>nothing</option>
+      ${pads.map((pad) => html`<option value=${pad} ?selected=${pad === hand.pad}>the pad ${pad}</option>`)}</select></label>`;
   }
 
   #axes() {

@@ -40,12 +40,15 @@ class PlayCharacters(Message, frozen=True):
 class HandFrame(Message, frozen=True):
     """What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
     (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
-    `found`: false while no hand is seen."""
+    `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that the hand
+    plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror."""
 
     time: float
     found: bool
     weights: Annotated[dict[PerformerName, float], msgspec.Meta(max_length=MOST_HAND_CHANNELS)]
     head: tuple[float, float, float] | None = None
+    pad: PerformerName = ""
+    point: tuple[float, float] | None = None
 
 
 class PlayHand(Message, frozen=True):
@@ -102,11 +105,13 @@ class CharacterChoice(msgspec.Struct, frozen=True):
 
 
 class HandChoice(msgspec.Struct, frozen=True):
-    """What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far."""
+    """What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far; pads: those of
+    the show with two dimensions or more, which another hand may move."""
 
     characters: list[CharacterChoice]
     regions: list[LayerPart]
     heard: int
+    pads: list[str]
 
 
 class GuideStep(msgspec.Struct, frozen=True):

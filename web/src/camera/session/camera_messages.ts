@@ -10,9 +10,10 @@ export type Perform = { type: "perform"; version: number; name: string };
 export type PlayCharacters = { type: "play_characters"; characters: string[] };
 
 /**
- * What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head (yaw,
- * pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock; `found`: false
- * while no hand is seen.
+ * What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
+ * (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
+ * `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that the hand
+ * plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror.
  */
 export type HandFrame = {
   type: "hand_frame";
@@ -20,6 +21,8 @@ export type HandFrame = {
   found: boolean;
   weights: Record<string, number>;
   head?: [number, number, number] | null;
+  pad?: string;
+  point?: [number, number] | null;
 };
 
 /** Chooses the characters that this performer's hand plays, and in which regions (none named: all). */
@@ -56,11 +59,15 @@ export type UndoPerformer = { type: "undo_performer" };
 /** A character of the show, and whether this performer plays it. */
 export type CharacterChoice = { name: string; label: string; played: boolean };
 
-/** What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far. */
+/**
+ * What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far; pads: those of
+ * the show with two dimensions or more, which another hand may move.
+ */
 export type HandChoice = {
   characters: CharacterChoice[];
   regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
   heard: number;
+  pads: string[];
 };
 
 /** The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made. */

@@ -46,6 +46,17 @@ export class HandSession {
     return this.host.storage.getItem(COUNT_KEY) === "2" ? 2 : 1;
   }
 
+  /** The pad whose point the other hand moves; "" for none. */
+  get pad(): string {
+    return this.host.storage.getItem(PAD_KEY) ?? "";
+  }
+
+  /** Has the other hand move a pad, by its name, or none for "". */
+  choosePad(pad: string): void {
+    this.host.storage.setItem(PAD_KEY, pad);
+    this.host.changed();
+  }
+
   /** Whether a picture would be looked at now. */
   get free(): boolean {
     return this.#client?.free ?? false;
@@ -161,10 +172,12 @@ export class HandSession {
     }
   }
 
-  #send({ time, axes }: HandReading): void {
+  #send({ time, axes, other }: HandReading): void {
     if (this.calibration === null) return;
     const played = axes === null ? { weights: {}, head: null } : playHand(axes);
-    this.host.send({ type: "hand_frame", time, found: axes !== null, ...played });
+    const moved =
+      other === null || this.pad === "" ? {} : { pad: this.pad, point: [other[0], other[1]] as [number, number] };
+    this.host.send({ type: "hand_frame", time, found: axes !== null, ...played, ...moved });
   }
 
   #calibrate(minute: HandMinute, hands: Hands, playing: number): void {
@@ -183,5 +196,6 @@ export class HandSession {
 }
 
 const COUNT_KEY = "omote.hand.count";
+const PAD_KEY = "omote.hand.pad";
 const CALIBRATION_KEY = "omote.hand.calibration.";
 const TOLD_MS = 250;
