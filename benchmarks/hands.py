@@ -21,13 +21,17 @@ import math
 import secrets
 import sys
 import tempfile
+import time
 from collections.abc import Mapping
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from itertools import repeat
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from playwright.sync_api import Page, sync_playwright
 
 from omote.builtin import load_cast
 from omote.inputs.performers import camera_messages as wire
@@ -51,7 +55,7 @@ TICK = 1.0 / 60.0
 CHANNELS = ("jawOpen", "browInnerUp", "browDownLeft", "mouthSmileLeft", "mouthFrownLeft")
 RENDERED = 15
 """Pictures a second that are rendered; each stands in the film twice."""
-EMPTY, READY, PLAY, FAST, SHOWN, AWAY = 3.0, 5.0, 15.0, 5.0, 2.5, 1.0
+EMPTY, READY, PLAY, FAST, SHOWN, AWAY = 2.0, 4.0, 12.0, 4.0, 2.0, 1.0
 """Seconds of a film: an empty room, a hand that gets ready, the minute, then play, 4 Hz, and three times there and
 away."""
 
@@ -119,16 +123,26 @@ def pose_of(axes: Values) -> HandPose:
     return HandPose(opening, (index, little), *turns)
 
 
-def write_film(path: Path, package: Package, seed: int, slow: int) -> Script:
-    """Renders a film of a fresh hand. path: of the motion JPEG; seed: of hand, room, noise and moves; slow: how many
-    times as long each picture stands."""
-    draw = np.random.default_rng(seed)
-    script = write_script(draw)
-    camera = HandCamera(random_hand(package, draw), random_hand_setting(draw), draw)
-    with path.open("wb") as film:
-        for axes, there in zip(script.axes, script.there, strict=True):
-            film.write(slow * round(FILM_RATE / RENDERED) * jpeg_of(camera.take(pose_of(axes) if there else None)))
+def write_film(path: Path, wheel: Path, seed: int, slow: int) -> Script:
+    """Renders a film of a fresh hand. path: of the motion JPEG; wheel: of the package; seed: of hand, room, noise and
+    moves; slow: how many times as long each picture stands."""
+    script = write_script(np.random.default_rng(seed))
+    workers = os.cpu_count() or 1
+    parts = np.array_split(np.arange(len(script.axes)), 8 * workers)
+    with ProcessPoolExecutor(workers) as pool, path.open("wb") as film:
+        for pictures in pool.map(render, repeat(wheel), repeat(seed), parts):
+            for picture in pictures:
+                film.write(slow * round(FILM_RATE / RENDERED) * picture)
     return script
+
+
+def render(wheel: Path, seed: int, pictures: NDArray[np.intp]) -> list[bytes]:
+    """Some pictures of a film, by their numbers; wheel, seed: as of `write_film`."""
+    script = write_script(np.random.default_rng(seed))
+    draw = np.random.default_rng(seed + 1)
+    hand = random_hand(Package(wheel), draw)
+    camera = HandCamera(hand, random_hand_setting(draw), np.random.default_rng([seed, int(pictures[0])]))
+    return [jpeg_of(camera.take(pose_of(script.axes[place]) if script.there[place] else None)) for place in pictures]
 
 
 WATCH = """(wanted) => {
@@ -169,11 +183,15 @@ SESSION = "document.querySelector('omote-camera-page')?.session"
 GATHER = f"(({{ hand }}) => ({{ ...log, kept: hand.calibration, failed: hand.failed, model: hand.model }}))({SESSION})"
 
 
+def wait_for(page: Page, condition: str) -> None:
+    """Waits until a condition holds on a page; its content security lets the browser wait for no text."""
+    while not page.evaluate(condition):
+        time.sleep(0.5)
+
+
 def perform(address: str, film: Path, seconds: float, *, slow: int, both: bool) -> dict[str, Any]:
     """What the page read and sent while it saw a film. address: of the show; film: motion JPEG, so many seconds by the
     page's clock, which is so many times as slow; both: looks for a face too."""
-    from playwright.sync_api import sync_playwright
-
     camera = "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
@@ -182,15 +200,14 @@ def perform(address: str, film: Path, seconds: float, *, slow: int, both: bool) 
             args=[*PAGES, *QUIET, *camera, f"--use-file-for-fake-video-capture={film}"],
         )
         page = browser.new_context(permissions=["camera"]).new_page()
-        page.set_default_timeout(1000 * (2 * slow * seconds + 300))
         page.add_init_script(f"localStorage['omote.camera.tracked'] = '{'both' if both else 'hand'}'")
         page.add_init_script(f"const real = performance.now.bind(performance); performance.now = () => real() / {slow}")
         page.goto(f"{address}/camera")
-        page.wait_for_function(f"{SESSION}?.hand.reading != null")
-        if both:
-            page.wait_for_function(f"{SESSION}.model.kind === 'ready'")
+        wait_for(
+            page, f"{SESSION}?.hand.reading != null && ({SESSION}.model.kind === 'ready' || {str(not both).lower()})"
+        )
         page.evaluate(WATCH, {"ready": READY})
-        page.wait_for_function(f"window.log.began !== null && performance.now() / 1000 > window.log.began + {seconds}")
+        wait_for(page, f"log.began !== null && performance.now() / 1000 > log.began + {seconds}")
         found: dict[str, Any] = page.evaluate(GATHER)
         browser.close()
     return found
@@ -306,12 +323,12 @@ def main() -> int:
     parser.add_argument("--slow", type=int, default=1, help="film and page go so many times as slow, on a busy machine")
     parser.add_argument("--both", action="store_true", help="finds a face in the same pictures")
     options = parser.parse_args()
-    package = Package(find_wheel(ROOT / "build" / "cast"))
+    wheel = find_wheel(ROOT / "build" / "cast")
     missed = False
     for seed in range(options.seed, options.seed + options.seeds):
         with tempfile.TemporaryDirectory() as folder:
             film = Path(folder) / "hand.mjpeg"
-            script = write_film(film, package, seed, options.slow)
+            script = write_film(film, wheel, seed, options.slow)
             seconds = len(script.axes) / RENDERED
             for address in playing(Path(folder) / "show.omote"):
                 found = perform(address, film, seconds - EMPTY, slow=options.slow, both=options.both)
