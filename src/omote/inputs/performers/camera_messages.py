@@ -40,8 +40,8 @@ class PlayCharacters(Message, frozen=True):
 class HandFrame(Message, frozen=True):
     """What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
     (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
-    `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that the hand
-    plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror."""
+    `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that this
+    one plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror."""
 
     time: float
     found: bool
