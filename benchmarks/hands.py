@@ -55,7 +55,12 @@ TICK = 1.0 / 60.0
 CHANNELS = ("jawOpen", "browInnerUp", "browDownLeft", "mouthSmileLeft", "mouthFrownLeft")
 RENDERED = 15
 """Pictures a second that are rendered; each stands in the film twice."""
-EMPTY, READY, PLAY, FAST, SHOWN, AWAY = 2.0, 4.0, 12.0, 4.0, 2.0, 1.0
+EMPTY = 2.0
+READY = 4.0
+PLAY = 12.0
+FAST = 4.0
+SHOWN = 2.0
+AWAY = 1.0
 """Seconds of a film: an empty room, a hand that gets ready, the minute, then play, 4 Hz, and three times there and
 away."""
 
@@ -232,9 +237,11 @@ class Played:
 
         part, until: names of parts.
         """
-        begin, end = self.script.begins[part] + 0.5, self.script.begins[until]
+        begin = self.script.begins[part] + 0.5
+        end = self.script.begins[until]
         inside = (self.times >= begin) & (self.times < end)
-        times, read = self.times[inside], self.axes[inside]
+        times = self.times[inside]
+        read = self.axes[inside]
         lags = np.arange(0.0, 0.4, 0.01)
         jaw = [correlate(read[:, 0], self._truth(times - lag)[:, 0]) for lag in lags]
         lag = float(lags[int(np.argmax(jaw))])
@@ -246,9 +253,11 @@ class Played:
 
     def amplitude(self) -> float:
         """Of an opening at 4 Hz, how much of its amplitude is left."""
-        begin, end = self.script.begins["fast"] + 0.5, self.script.begins["away 0"]
+        begin = self.script.begins["fast"] + 0.5
+        end = self.script.begins["away 0"]
         inside = (self.times >= begin) & (self.times < end)
-        times, read = self.times[inside], self.axes[inside, 0]
+        times = self.times[inside]
+        read = self.axes[inside, 0]
         waves = np.stack([np.sin(math.tau * 4.0 * times), np.cos(math.tau * 4.0 * times), np.ones_like(times)], 1)
         sine, cosine, _ = np.linalg.lstsq(waves, read, rcond=None)[0]
         return float(math.hypot(sine, cosine) / 0.35)
@@ -269,7 +278,8 @@ def steps_on_air(sent: list[tuple[float, dict[str, Any]]], script: Script) -> tu
     hands = HandInput(lambda: session)
     hands.choose("Ada", wire.PlayHand(["one"], []))
     waiting = list(sent)
-    shown, times = [], []
+    shown = []
+    times = []
     now = sent[0][0]
     while waiting:
         while waiting and waiting[0][0] <= now:

@@ -16,7 +16,8 @@ from tools.tracking import rasterizer
 
 Floats = NDArray[np.float32]
 
-WIDTH, HEIGHT = 640, 480
+WIDTH = 640
+HEIGHT = 480
 FINE = 2
 """Pixels are drawn so many times as fine, along each axis."""
 FILM_RATE = 30
@@ -59,7 +60,8 @@ def random_hand_setting(draw: np.random.Generator) -> HandSetting:
     """A camera in a room, at the side of a hand."""
     lamps = np.zeros((2, 6))
     for row, strength in enumerate((draw.uniform(0.5, 1.0), draw.uniform(0.1, 0.4))):
-        yaw, pitch = draw.uniform(-1.1, 1.1), draw.uniform(0.0, 1.0)
+        yaw = draw.uniform(-1.1, 1.1)
+        pitch = draw.uniform(0.0, 1.0)
         lamps[row, :3] = np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)
         lamps[row, 3:] = strength * np.array([1.0, draw.uniform(0.88, 1.0), draw.uniform(0.8, 1.0)])
     low, high = sorted(draw.choice(len(SKINS), 2, replace=False))
@@ -105,7 +107,8 @@ class HandCamera:
         left, top = np.clip(np.floor(screen[:, :2].min(0)), 0, (WIDTH - 1, HEIGHT - 1)).astype(int)
         right, low = np.clip(np.ceil(screen[:, :2].max(0)) + 1, (left + 1, top + 1), (WIDTH, HEIGHT)).astype(int)
         screen[:, :2] = (screen[:, :2] - (left, top)) * FINE
-        rows, columns = (low - top) * FINE, (right - left) * FINE
+        rows = (low - top) * FINE
+        columns = (right - left) * FINE
         depth = np.full((rows, columns), rasterizer.FAR, np.float32)
         hit = np.full((rows, columns), -1, np.int32)
         shares = np.empty((rows, columns, 2), np.float32)
@@ -120,7 +123,8 @@ class HandCamera:
         setting = self.setting
         seen = (points - _MIDDLE) @ self._view.T + np.array([*setting.place, -setting.distance])
         scale = setting.focal * WIDTH / -seen[:, 2]
-        across, down = WIDTH / 2 + scale * seen[:, 0], HEIGHT / 2 - scale * seen[:, 1]
+        across = WIDTH / 2 + scale * seen[:, 0]
+        down = HEIGHT / 2 - scale * seen[:, 1]
         return np.stack([across, down, -seen[:, 2]], 1).astype(np.float32)
 
     def _light(self, normals: Values) -> Floats:

@@ -48,7 +48,8 @@ class OscHands:
 
     def take(self) -> Iterator[tuple[str, Reading]]:
         """What has come since the last call, each with the host that sent it: of an axis the newest alone."""
-        newest, self._newest = self._newest, {}
+        newest = self._newest
+        self._newest = {}
         for (device, axis), (position, host) in newest.items():
             yield host, Reading(device, axis, position)
 
