@@ -12,7 +12,7 @@ import { correlation } from "./ridge";
 import { STILL, seededNumbers, syntheticHand } from "./synthetic_hand";
 
 /** A performer who follows the drawn hand so many seconds late, as a model sees them: points that shake. */
-function perform(delay: number, rate = 15, noise = 0.002): HandSample[] {
+function perform(delay: number, rate = 8, noise = 0.002): HandSample[] {
   const random = seededNumbers(5);
   const samples: HandSample[] = [];
   for (let time = 0; time < GUIDE_SECONDS; time += 1 / rate) {

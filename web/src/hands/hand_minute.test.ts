@@ -7,7 +7,7 @@ import { syntheticHand, syntheticPicture } from "./synthetic_hand";
 function perform(gone: [number, number] = [0, 0]): { minute: HandMinute; took: number } {
   const minute = new HandMinute(100);
   let now = 100;
-  for (; !minute.done && now < 300; now += 1 / 15) {
+  for (; !minute.done && now < 300; now += 1 / 8) {
     const { time } = minute.state;
     const away = now > 100 + gone[0] && now < 100 + gone[1];
     const hands = away ? [] : [syntheticHand(guideTargets(Math.max(0, time - 0.2)))];
