@@ -44,6 +44,8 @@ export interface KnobHost {
   air(): CharacterState | null;
   /** Whom messages are for. */
   targets(): readonly string[];
+  /** Those of whom a macro is that are played. */
+  withMacro(name: string): readonly string[];
   now(): number;
   /** Whether what moves a control can be sent; else the operator has been told. */
   mayAct(control: string): boolean;
@@ -122,6 +124,19 @@ export class Knobs {
     );
   }
 
+  /** A macro: of each character that is played and has one of the name. */
+  macro(name: string): Knob {
+    const key = `macro:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.macros[name]?.value ?? 0,
+      (value) => {
+        for (const character of this.host.withMacro(name))
+          this.outbox.put(`${character}/${key}`, { type: "move_macro", character, name, value });
+      },
+    );
+  }
+
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {
     const type = axis === "face" ? "fade_face" : "fade_expression";
@@ -190,10 +205,11 @@ export class Knobs {
 
 /**
  * What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `layer:lips` by
- * `set_layer:lips`, `head:yaw` by `set_head`.
+ * `set_layer:lips`, `macro:mouth` by `move_macro:mouth`, `head:yaw` by `set_head`.
  */
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
   if (what === "channel" || what === "layer") return `set_${key}`;
+  if (what === "macro") return `move_${key}`;
   return name === undefined ? key : `set_${what}`;
 }
