@@ -53,6 +53,7 @@ from omote.perform.mappings.mapping import (
 from omote.perform.mappings.monotone_curve import MOST_KNOTS, NEAREST_KNOTS
 from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show import messages
 from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
 from omote.show.access.access_role import ACCESS_ROLES
@@ -181,6 +182,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "PLAY_REGIONS": ("The regions of a face in which an expression can be called alone.", PLAY_REGIONS),
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
+    "SPRINGS": ("The springs of a character.", SPRING_NAMES),
     "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
     "SPEECH": ("The source of what a character says, which ends by itself.", SPEECH),
     "LIPS_INFLUENCE": (

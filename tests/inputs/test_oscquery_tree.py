@@ -25,6 +25,7 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.scene import Scene
 from omote.perform.speech.spelling import LANGUAGES
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
@@ -94,6 +95,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             known = {*GESTURES} if address.path.startswith("gesture") else known
             known = {*PADS} if address.path.startswith("pad/") else known
             known = {*macros[owner]} if address.path.startswith("macro/") else known
+            known = {*SPRING_NAMES} if address.path.startswith("spring/") else known
             unlisted = ("memory", "clip", "setup")  # whose names no cast has
             known = set() if address.path.startswith(unlisted) else known
             names = known if "{name}" in written or layered else {""}

@@ -53,6 +53,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         ),
         macros={name: MacroStatus(macro.value, macro.share) for name, macro in character.macros.items()},
         pads={name: PadStatus(tuple(point.place), point.plays) for name, point in character.pads.items()},
+        springs={str(name): amount for name, amount in character.springs.items()},
     )
 
 

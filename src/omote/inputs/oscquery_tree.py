@@ -16,6 +16,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.osc import ROOT, Value
 from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 
@@ -145,6 +146,7 @@ def _names(value: Value, names: Names, owner: str = "") -> list[str]:
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
+        "spring": SPRING_NAMES,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:

@@ -321,7 +321,8 @@ class Frame:
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
     nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `macros`:
-    all that the character has. `pads`: those whose points have been moved since the last panic.
+    all that the character has. `pads`: those whose points have been moved since the last panic. `springs`: how much of
+    each is set, of those that are not 1.
     """
 
     faces: Mapping[str, float]
@@ -349,6 +350,7 @@ class Frame:
     clips: tuple[ClipStatus, ...] = ()
     macros: Mapping[str, MacroStatus] = field(default_factory=dict)
     pads: Mapping[str, PadStatus] = field(default_factory=dict)
+    springs: Mapping[str, float] = field(default_factory=dict)
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

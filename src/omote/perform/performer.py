@@ -36,7 +36,6 @@ from omote.perform.layers.source_frame import (
     with_gaze_of_units,
 )
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
-from omote.perform.macro_playing import MacroPlaying
 from omote.perform.mappings.macros import NO_MACROS, NO_STATUSES, macro_statuses
 from omote.perform.mix import combine, mix_in
 from omote.perform.motion.automatic_motion import (
@@ -61,12 +60,14 @@ from omote.perform.speech.speaking import (
     speech_status,
 )
 from omote.perform.speech.visemes import speech_frame
+from omote.perform.spring_playing import SpringPlaying
+from omote.perform.springs.springs import release_springs
 
 MOMENT = 1e-4
 """Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
-class Performer(MacroPlaying):
+class Performer(SpringPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -477,7 +478,7 @@ class Performer(MacroPlaying):
         self._speak(dt)
         self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
-        return self._frame()
+        return self._with_springs(self._frame(), dt, self._held())
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
         """Takes one frame of a source that is checked already, as `drive`.
@@ -677,6 +678,7 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
         gestures=release_gestures(now.gestures),
         macros=NO_MACROS,
         pads={},
+        springs=release_springs(now.springs),
     )
 
 

@@ -33,6 +33,7 @@ from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
+from omote.perform.springs.springs import Springs, check_springs
 
 
 class Playable(Protocol):
@@ -73,6 +74,7 @@ class Snapshot:
     is said; `said` counts all that was, `spoken` is the key of what was said to its end last. `gestures`: those that
     run. `clips`: those that play, the oldest first; `played` counts all. `pads`: where the points of pads are that have
     been moved. `mappings`: what macros play; `macros`: those that were moved.
+    `springs`: how much of them is set and how they move, None while none has moved.
     """
 
     face: Axis
@@ -98,6 +100,7 @@ class Snapshot:
     mappings: Mappings = NO_MAPPINGS
     macros: Macros = NO_MACROS
     pads: Mapping[str, PadPlace] = field(default_factory=dict)
+    springs: Springs | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -141,6 +144,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_within(len(snapshot.pads), 0, MOST_PADS, "the number of pads that have been moved")
     for name, place in snapshot.pads.items():
         _check_point(name, place)
+    check_springs(snapshot.springs)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:

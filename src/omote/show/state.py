@@ -15,6 +15,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, ClipStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
+from omote.perform.springs.cast_springs import check_spring
 from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
@@ -155,6 +156,7 @@ def character_state(
         panics=frame.panics,
         **_home(frame),
         clips=[_clip_state(clip, sounds) for clip in frame.clips],
+        springs={check_spring(name): amount for name, amount in frame.springs.items()},
         **_layers(frame),
         motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,

@@ -16,6 +16,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
 from omote.perform.pads.blend_space import PadLook
 from omote.perform.snapshot import Playable
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as cue_messages
@@ -65,7 +66,7 @@ from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
 from omote.show.objects.memories import CallMemory, DeleteMemory, KeepMemory, RestoreMemory
-from omote.show.objects.motion import LookAt, MakeGesture, SetMotion
+from omote.show.objects.motion import LookAt, MakeGesture, SetMotion, SetSpring
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
@@ -181,6 +182,7 @@ class RandomShow:
             lambda: SetLayer(who(), "tracker", influence=number(0, 1), region=pick(("brows", "mouth", None))),
             lambda: SetLayer(who(), "tracker", on=pick((True, False))),
             lambda: SetMotion(who(), number(0, 1), seed=int(self.rng.integers(1000))),
+            lambda: SetSpring(who(), pick(SPRING_NAMES), number(0, 2)),
             lambda: LookAt(who(), "direction", yaw=number(-0.4, 0.4)),
             lambda: LookAt(who(), "character", name=pick(names)),
             lambda: LookAt(who(), "gaze_point", name="door"),

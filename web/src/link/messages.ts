@@ -1160,6 +1160,18 @@ export type MakeGesture = {
   seconds?: number | null;
 };
 
+/**
+ * How much of a spring of a character shows, 0..2, 1 at first: of the ears of animals that sway and flap, of jowls
+ * that sway, of cheeks that bounce as the head moves. It is multiplied by twice the liveliness of `set_motion`.
+ */
+export type SetSpring = {
+  type: "set_spring";
+  character: string;
+  name: "ears-sway" | "ears-flap" | "jowls-sway" | "cheeks-bounce";
+  amount: number;
+  id?: string;
+};
+
 /** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
 export type CallLight = { type: "call_light"; id: string; name: string; seconds?: number; easing?: string };
 
@@ -1705,7 +1717,7 @@ export type PadPointState = { place: number[]; plays: boolean };
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
  * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
- * last panic.
+ * last panic. `springs`: how much of each is set, of those that are not 1.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1737,6 +1749,7 @@ export type CharacterState = {
   clips: ClipState[];
   macros: Record<string, MacroState>;
   pads: Record<string, PadPointState>;
+  springs: Partial<Record<"ears-sway" | "ears-flap" | "jowls-sway" | "cheeks-bounce", number>>;
 };
 
 /**
@@ -1851,7 +1864,7 @@ export type FaceDocument = {
 export type ExpressionDocument = {
   name: string;
   label: string;
-  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "own";
+  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "spring" | "own";
   region: string;
   eyes: [number, number, number, number];
   pupil: number;
@@ -2126,6 +2139,7 @@ export type FromClient =
   | SetMotion
   | LookAt
   | MakeGesture
+  | SetSpring
   | CallLight
   | CallFraming
   | CallBlack

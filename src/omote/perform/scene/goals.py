@@ -24,6 +24,8 @@ from omote.perform.scene.movement import Ranges
 from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal, point_of_goal
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.perform.snapshot import ROUNDING
+from omote.perform.springs.cast_springs import SPRING_NAMES
+from omote.perform.springs.springs import AMOUNT_LIMIT
 
 Part = str
 Goal = Mapping[str, float]
@@ -43,11 +45,13 @@ LAYER_LIMITS: Ranges = dict.fromkeys(LAYER_PARTS, (0.0, 1.0))
 LAYER = "layer:"
 """What the part of a layer begins with: `layer:tracker` is how much of it shows, by region."""
 MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), **dict.fromkeys(DETAILS, (0.0, DETAIL_LIMIT))}
+SPRING_LIMITS: Ranges = dict.fromkeys(SPRING_NAMES, (0.0, AMOUNT_LIMIT))
 CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **TURN_LIMITS,
     "place": PLACE_LIMITS,
     "presence": PRESENCE_LIMITS,
     "motion": MOTION_LIMITS,
+    "springs": SPRING_LIMITS,
     **{f"{LAYER}{layer}": LAYER_LIMITS for layer in LAYERS},
 }
 """The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
@@ -101,13 +105,14 @@ def ranges_of(part: Part) -> Ranges | None:
 
 def is_setting(name: str) -> bool:
     """Whether a part of a character (by its name there) is set at once, and followed in its own time."""
-    return name in ("motion", "look") or name.startswith(LAYER)
+    return name in ("motion", "look", "springs") or name.startswith(LAYER)
 
 
 def takes_one_number(part: Part) -> bool:
-    """Whether one number says all of a part: it has no other, or all of them are of one kind, as of a layer."""
+    """Whether one number says all of a part: it has no other, or all of them are of one kind, as of a layer or of
+    springs."""
     ranges = ranges_of(part)
-    return ranges is not None and (len(ranges) == 1 or ranges is LAYER_LIMITS)
+    return ranges is not None and (len(ranges) == 1 or ranges is LAYER_LIMITS or ranges is SPRING_LIMITS)
 
 
 def first_goal(part: Part) -> Goal | None:
@@ -119,6 +124,8 @@ def first_goal(part: Part) -> Goal | None:
         return NOTHING_MOVED
     if name == "look":
         return AHEAD
+    if name == "springs":
+        return dict.fromkeys(SPRING_LIMITS, 1.0)
     if name.startswith(LAYER):
         influence = DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence
         return {str(region): value for region, value in influence.items()}

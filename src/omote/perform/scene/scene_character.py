@@ -48,7 +48,10 @@ from omote.perform.scene.look_goals import goal_of_target, target_of_goal
 from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, MACRO_WAY, PAD_WAY, VALUE, Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
 from omote.perform.scene.pad_goals import check_point_fits, goal_of_point, is_pad_goal, point_of_goal
+from omote.perform.scene.scene_frame import Place
 from omote.perform.snapshot import Playable, Snapshot
+from omote.perform.springs.cast_springs import SPRING_NAMES
+from omote.perform.springs.springs import Travel, amount_of
 
 
 class CallSceneLight(Protocol):
@@ -66,12 +69,13 @@ class CheckTarget(Protocol):
 
 
 class SceneCharacter(Performer):
-    """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time; turning:
-    head, gaze and channels on their way to where they were called."""
+    """A performer in a scene. sight, stands: what its eyes look at and where it is, which the scene finds before each
+    step of time; turning: head, gaze and channels on their way to where they were called."""
 
     _call_light: CallSceneLight
     _check_target: CheckTarget
     sight: Sight = NOTHING
+    stands: Place = Place()
     turning: Turning | None = None
 
     @classmethod
@@ -136,6 +140,9 @@ class SceneCharacter(Performer):
 
     def _find_sight(self, target: GazeTarget) -> Sight:
         return NOTHING if target.kind == "ahead" else self.sight
+
+    def _find_travel(self) -> Travel:
+        return Travel(self.stands.x, self.stands.turn)
 
     def goal_of(self, name: str) -> Goal:
         """Where a part goes, or stands: a mix, the point of a pad, or numbers; nothing for a region that goes with the
@@ -298,6 +305,9 @@ class SceneCharacter(Performer):
         """Sets what is taken at once, and followed by filters of its own."""
         if name == "motion":
             self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
+        elif name == "springs":
+            for spring, amount in goal.items():
+                self.set_spring(spring, amount)
         elif name == "look":
             at = target_of_goal(dict(goal))
             self.look_at(at.kind, at.name, yaw=at.yaw, pitch=at.pitch, x=at.x, y=at.y, z=at.z)
@@ -308,6 +318,8 @@ class SceneCharacter(Performer):
     def _setting_of(self, name: str) -> Goal:
         if name == "motion":
             return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
+        if name == "springs":
+            return {spring: amount_of(self._now.springs, spring) for spring in SPRING_NAMES}
         if name == "look":
             return goal_of_target(self.motion.target)
         influence = self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence

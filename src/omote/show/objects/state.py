@@ -10,6 +10,7 @@ import msgspec
 from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
+from omote.perform.springs.cast_springs import SpringName
 from omote.show.declaration import ServerMessage
 from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.link import Bus
@@ -160,7 +161,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
     `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
-    last panic.
+    last panic. `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: dict[str, float]
@@ -192,6 +193,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     clips: list[ClipState] = []
     macros: dict[str, MacroState] = {}
     pads: dict[str, PadPointState] = {}
+    springs: dict[SpringName, float] = {}
 
 
 class State(ServerMessage, frozen=True):

@@ -34,6 +34,7 @@ const CALM: CharacterState = {
   clips: [],
   macros: {},
   pads: {},
+  springs: {},
 };
 const REST: State = {
   type: "state",
