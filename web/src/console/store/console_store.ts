@@ -351,6 +351,7 @@ export class ConsoleStore extends PageStore {
   /** How much of a layer shows. */
   readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
   readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
+  readonly spring: Knobs["spring"] = (name) => this.#knobs.spring(name);
   /** Where a macro is. */
   readonly macro: Knobs["macro"] = (name) => this.#knobs.macro(name);
 
