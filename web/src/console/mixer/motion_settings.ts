@@ -19,7 +19,7 @@ const SLIDERS: readonly (readonly [MotionDetail, string, number, string])[] = [
   ["breath", "Breath depth", 2, "How deep it breathes, and how much it trembles"],
 ];
 
-/** What each spring swings, in words. */
+/** What each spring swings, in words: of a face that has such, and as much as it is lively. */
 const SPRING_WORDS: Readonly<Record<SpringName, readonly [label: string, title: string]>> = {
   "ears-sway": ["Ears sway", "How far ears swing aside as the head turns and tilts; cats and dogs have such"],
   "ears-flap": ["Ears flap", "How far ears swing up and down as the head nods; cats and dogs have such"],
@@ -42,18 +42,13 @@ const style = css`
     grid-column: 1 / -1;
     min-height: 30px;
   }
-  .springs {
-    grid-column: 1 / -1;
-    margin-top: 6px;
-    color: var(--dim);
-  }
   label {
     display: contents;
   }
   .way {
     position: relative;
     display: grid;
-    min-height: 24px;
+    min-height: 21px;
   }
   input[type="range"] {
     width: 100%;
@@ -81,7 +76,6 @@ export class MotionSettings extends AnimatedElement {
     return html`${SLIDERS.map(([detail, label, most, title]) => this.#slider(detail, label, most, title))}
       <button class="idle" aria-pressed="false" @click=${this.#idle}
         title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>
-      ${springs.length === 0 ? "" : html`<div class="springs" title="A face that has none shows none; at a liveliness of 0 nothing swings">Springs: what swings as it moves</div>`}
       ${springs.map((spring) => this.#slider(spring, SPRING_WORDS[spring][0], MOST_SPRING, SPRING_WORDS[spring][1]))}`;
   }
 
