@@ -41,10 +41,12 @@ import "./leases/lease_marks";
 import "./leases/seat_key";
 import "./panels/bank";
 import "./mixer/calibration_dialog";
-import "./devices/devices_dialog";
+import "./devices_dialog";
 import "./help";
 import "./learn/binding_marks";
 import "./learn/learn_mode";
+import type { TeachAsked } from "./mappings/mappings_panel";
+import "./mappings/mapping_learning";
 import "./message_log";
 import "./setup";
 import "./controls/light_row";
@@ -57,7 +59,7 @@ import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
 
-type Dialog = "devices" | "help" | "keep" | "leases" | "log" | "setup";
+type Dialog = "devices" | "mappings" | "help" | "keep" | "leases" | "log" | "setup";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
@@ -73,6 +75,8 @@ export class ConsolePage extends ConsoleElement {
   @state() private restricted = false;
   /** What is touched is bound, not played. */
   @state() private learning = false;
+  /** The macro that is learned by touch, "" for none. */
+  @state() private taught = "";
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
@@ -167,13 +171,14 @@ export class ConsolePage extends ConsoleElement {
       ${menu === null ? nothing : html`<omote-tile-menu .context=${context} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
       ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
-      ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
+      ${this.taught === "" ? nothing : html`<omote-mapping-learning .context=${context} .name=${this.taught} @close=${this.#taught}></omote-mapping-learning>`}
+      ${dialog === "devices" || dialog === "mappings" ? html`<omote-devices-dialog .context=${context} .view=${dialog} @close=${this.#close} @teach=${this.#teach}></omote-devices-dialog>` : nothing}
       ${this.calibrated === "" ? nothing : html`<omote-calibration-dialog .context=${context} .name=${this.calibrated} @close=${this.#close}></omote-calibration-dialog>`}
       ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
       ${dialog === "keep" ? html`<omote-keep-dialog .context=${context} @close=${this.#close}></omote-keep-dialog>` : nothing}
       ${dialog === "leases" ? html`<omote-lease-dialog .context=${context} @close=${this.#close}></omote-lease-dialog>` : nothing}
       ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
-      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @learn=${this.#learn} @leases=${this.#openLeases} @moments=${() => this.show("keep")}></omote-setup>` : nothing}
+      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @mappings=${() => this.show("mappings")} @learn=${this.#learn} @leases=${this.#openLeases} @moments=${() => this.show("keep")}></omote-setup>` : nothing}
     `;
   }
 
@@ -208,8 +213,18 @@ export class ConsolePage extends ConsoleElement {
 
   /** Begins to learn, or ends it. */
   readonly #learn = (): void => {
-    this.learning = !this.learning;
+    this.learning = !this.learning && this.taught === "";
     this.dialog = null;
+  };
+
+  readonly #teach = ({ detail }: TeachAsked): void => {
+    [this.taught, this.dialog] = [detail.name, null];
+  };
+
+  /** Learned or not: back to the macros. */
+  readonly #taught = (): void => {
+    this.taught = "";
+    this.show("mappings");
   };
 
   readonly #openDevices = (): void => {

@@ -17,6 +17,7 @@ import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleDevices } from "./devices/console_devices";
 import { ConsoleLeases } from "./leases/console_leases";
 import { seatToken } from "./leases/seat_token";
+import { MappingCommands } from "./mappings/mapping_commands";
 import { ConsoleSources } from "./mixer/console_sources";
 import { showPreviewBar } from "./panels/preview_bar";
 import { keepChoice } from "./scene/choice_storage";
@@ -90,7 +91,21 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const [painter, thumbnails, leases] = [new FramePainter(), new Thumbnails(), new ConsoleLeases(store)];
   const panicReturn = new PanicReturn(store);
   const sources = new ConsoleSources(store, (message) => link().send(message));
-  return { store, painter, thumbnails, layouts, items, imports, devices, leases, panicReturn, sources, rename };
+  const mappings = new MappingCommands(store);
+  return {
+    store,
+    painter,
+    thumbnails,
+    layouts,
+    items,
+    imports,
+    devices,
+    mappings,
+    leases,
+    panicReturn,
+    sources,
+    rename,
+  };
 }
 
 async function start(): Promise<void> {

@@ -14,6 +14,7 @@ import { offersOf, offersStyle } from "./panels/offers";
 import type { Axis } from "./store/axis";
 import type { Topic } from "./store/page_store";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
+import "./mappings/setup_row";
 import "./show_file/setup_layouts";
 import "./setup_people";
 
@@ -93,8 +94,10 @@ export class Setup extends ConsoleDialog {
       <div class="row">
         <button data-open="learn" @click=${() => this.tell("learn")}>Learn</button>
         <button data-open="devices" @click=${() => this.tell("devices")}>Devices and bindings</button>
+        <button data-open="mappings" title="One number under a hand plays several targets, each by its curve" @click=${() => this.tell("mappings")}>Mappings</button>
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
+      <omote-setups .context=${this.context}></omote-setups>
       <h2>Cues and clips</h2>
       <p>Whole looks in the order of a show, recorded here and called by GO.</p>
       <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>

@@ -15,11 +15,13 @@ import {
   directionTarget,
   layerTarget,
   lightTarget,
+  macroTarget,
   memoryTarget,
   type Target,
   targetKey,
   whoOf,
 } from "../devices/binding_target";
+import type { MacroFader } from "../mappings/macro_fader";
 import type { LayerFader } from "../mixer/layer_fader";
 import type { Palette } from "../palette/palette";
 import type { ConsoleStore } from "../store/console_store";
@@ -46,6 +48,10 @@ type BindablePart = readonly [selector: string, read: (part: HTMLElement) => rea
 const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who: string) => readonly BindablePart[]>> =
   {
     "omote-fader": (element, _, who) => [[".slot", () => [channelTarget(who, (element as Fader).channel)], CHANNEL]],
+    "omote-macro-fader": (element, _, who) => {
+      const { name, range } = element as MacroFader;
+      return [[".slot", () => [macroTarget(who, name)], range]];
+    },
     "omote-tbar": (element, _, who) => [[".track", () => [barTarget(who, (element as TBar).axis)], UNIT]],
     "omote-layer-fader": (element, _, who) => {
       const { layer, region } = element as LayerFader;

@@ -10,7 +10,7 @@ import { LONGEST, type Timing } from "./timing";
 export const KINDS = ["performed", "own", "arkit", "makehuman", "clips"] as const;
 export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
-export type BankTab = Region | "touched";
+export type BankTab = Region | "touched" | "macros";
 /** What is shown below: the scene, or the layers, in the place of faders and pads; the others take turns where there is no room for all. */
 export const VIEWS = ["palettes", "faders", "pads", "scene", "layers"] as const;
 export type ConsoleView = (typeof VIEWS)[number];
@@ -86,7 +86,7 @@ const isOneOf = (choices: readonly string[], value: unknown): boolean => choices
 /** What each part of a document must be. */
 const PARTS: Readonly<Record<keyof Omit<Arrangement, "timing">, (value: unknown) => boolean>> = {
   kind: (value) => isOneOf(KINDS, value),
-  tab: (value) => isOneOf([...REGIONS, "touched"], value),
+  tab: (value) => isOneOf([...REGIONS, "touched", "macros"], value),
   linked: isSwitch,
   ownFaces: isSwitch,
   springs: (value) => isRecord(value) && isSwitch(value.head) && isSwitch(value.gaze),

@@ -1,5 +1,6 @@
 /** Values that hands can hold: channels, head, gaze and T-bars. */
 
+import type { SPRINGS } from "../../link/constants";
 import type { CharacterState, FromClient } from "../../link/messages";
 import type { Axis } from "./axis";
 import { handsOf } from "./held_state";
@@ -33,6 +34,7 @@ export type HeadPart = "yaw" | "pitch" | "roll";
 export type GazePart = "yaw" | "pitch";
 /** What is set of a character's automatic motion by hand. */
 export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
+export type SpringName = (typeof SPRINGS)[number];
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
@@ -44,6 +46,8 @@ export interface KnobHost {
   air(): CharacterState | null;
   /** Whom messages are for. */
   targets(): readonly string[];
+  /** Those of whom a macro is that are played. */
+  withMacro(name: string): readonly string[];
   now(): number;
   /** Whether what moves a control can be sent; else the operator has been told. */
   mayAct(control: string): boolean;
@@ -122,6 +126,29 @@ export class Knobs {
     );
   }
 
+  /** How much of a spring shows. */
+  spring(name: SpringName): Knob {
+    const key = `spring:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.springs[name] ?? 1,
+      (amount) => this.#put(key, (character) => ({ type: "set_spring", character, name, amount })),
+    );
+  }
+
+  /** A macro: of each character that is played and has one of the name. */
+  macro(name: string): Knob {
+    const key = `macro:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.macros[name]?.value ?? 0,
+      (value) => {
+        for (const character of this.host.withMacro(name))
+          this.outbox.put(`${character}/${key}`, { type: "move_macro", character, name, value });
+      },
+    );
+  }
+
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {
     const type = axis === "face" ? "fade_face" : "fade_expression";
@@ -190,10 +217,11 @@ export class Knobs {
 
 /**
  * What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `layer:lips` by
- * `set_layer:lips`, `head:yaw` by `set_head`.
+ * `set_layer:lips`, `macro:mouth` by `move_macro:mouth`, `head:yaw` by `set_head`.
  */
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
-  if (what === "channel" || what === "layer") return `set_${key}`;
+  if (what === "channel" || what === "layer" || what === "spring") return `set_${key}`;
+  if (what === "macro") return `move_${key}`;
   return name === undefined ? key : `set_${what}`;
 }
