@@ -40,7 +40,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PAR
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
-from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
+from omote.perform.pads.blend_space import FEWEST_LOOKS, LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.show import messages
 from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
@@ -149,7 +149,8 @@ def _lights() -> dict[str, dict[str, object]]:
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
     "MOST_PADS": ("Pads of a show.", MOST_PADS),
-    "MOST_LOOKS": ("Looks of a pad.", MOST_LOOKS),
+    "FEWEST_LOOKS": ("Looks of a pad at least.", FEWEST_LOOKS),
+    "MOST_LOOKS": ("Looks of a pad at most.", MOST_LOOKS),
     "LEAST_APART": ("Between the places of two looks of a pad, which go from -1 to 1.", LEAST_APART),
     "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
     "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),

@@ -82,8 +82,11 @@ const style = css`
     }
   }
   @media ${low} {
-    .view {
+    .view:not(.blend_pads) {
       display: block;
+    }
+    .blend_pads {
+      display: none; /* it stands below the picture */
     }
   }
   @media ${narrow} or ${low} {
@@ -139,7 +142,7 @@ const style = css`
   }
 `;
 
-/** A key for each character, one for all, one for places and framing, one for a close-up, one that holds still, one for layers, one to add another (a double click is one). Tells `scene`, `layers`. */
+/** A key for each character, one for all, one for places and framing, one for a close-up, one that holds still, one for pads of looks, one for layers, one to add another (a double click is one). Tells `scene`, `blend_pads`, `layers`. */
 @customElement("omote-characters")
 export class CharacterRow extends AnimatedElement {
   static override styles = [base, style];
@@ -161,6 +164,8 @@ export class CharacterRow extends AnimatedElement {
       <div class="tools">${several ? this.#choice(characters) : nothing}
       <button class="still" aria-pressed="false" title="Holds still; else it blinks, breathes and looks about as people do (')"
         @click=${() => toggleStill(this.store)}>Still</button>
+      <button class="view blend_pads" title="Pads: mixtures of looks (Shift H)" aria-pressed=${this.store.arrangement.view === "blend_pads"}
+        @click=${() => this.tell("blend_pads")}>Pads</button>
       <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.arrangement.view === "layers"}
         @click=${() => this.tell("layers")}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}

@@ -348,6 +348,8 @@ export class ConsoleStore extends PageStore {
   readonly gaze = (part: GazePart): Knob => this.#knobs.gaze(part);
   /** How much of a layer shows. */
   readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
+  /** Where the point of a pad stands along a dimension of it. */
+  readonly pad: Knobs["pad"] = (...of) => this.#knobs.pad(...of);
   readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
 
   /** Where a T-bar stands, under the hand of this console or of another. */
