@@ -1,11 +1,15 @@
-"""Ten thousand random interruptions by all that calls: cues, clips, takes from preview, pauses, regions and faces.
+"""Ten thousand random interruptions by all that calls: cues, clips, takes from preview, pauses, regions, faces, pads.
 
 One character of a show's session on the built-in cast, played by its own messages: GO, Back, go to (whole too), assert,
 pause and go on; clips called, looped and stopped; takes of what was built up in preview; calls of faces, expressions
-and single regions; the head by cues. With `--panics` a panic is one of them. Each lasts 0.5-4 s (log-uniform) with the
-default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin 0.26 s after one another: sooner they
-are ignored). The peer plays the same messages at the same instants and forgets the velocity that a call takes over, as
-`interruptions.py` has it; it is looked at only around the interruptions, so its figure is at most too small.
+and single regions; the head by cues; points of the cast's pads, which cues move, and a hand, in strokes from rest to
+rest of at most 0.7 widths of a pad a second, until something else is called; a look of a pad is dragged a little while
+it plays. With `--panics` a panic is one of them. Each lasts 0.5-4 s (log-uniform) with the default easing and none is a
+cut; the next comes 0.04-0.2 s later (GO and its kin 0.26 s after one another: sooner they are ignored). The peer plays
+the same messages at the same instants and forgets the velocity that a call takes over, as `interruptions.py` has it; it
+is looked at only around the interruptions, so its figure is at most too small.
+
+A hand that moves a point faster than that bends weights itself, whoever interrupts it: `pads.py` has the figures.
 
 Looked at 240 times a second, in every step:
 
@@ -28,11 +32,12 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
 import heapq
+import math
 import secrets
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from unittest.mock import patch
 
@@ -47,15 +52,19 @@ from omote.perform import axis
 from omote.perform.blending import evaluate as evaluate_module
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.clips.cut_clip import record
+from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import Frame
 from omote.perform.mix import mix_in
 from omote.perform.scene import movement
+from omote.perform.scene.cast_pads import cast_pads
+from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, CallFace, Panic
 from omote.show.objects.clips import PlayClip, StopClip
 from omote.show.objects.cues import AssertLook, CuePlay, Go, GoBack, GoToCue, PauseCues, SetStandby
+from omote.show.objects.hand.pads import MovePad, SetPad
 from omote.show.objects.link import Hello
 from omote.show.objects.preview import Take
 from omote.show.session import ShowSession
@@ -85,9 +94,13 @@ def lasting(rng: np.random.Generator) -> float:
 
 def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips: list[str]) -> list[omote.Cue]:
     """Cues of one to four moves; a third of them wait, a fifth goes on by itself."""
+
+    def point(pad: str) -> dict[str, float]:
+        return goal_of_point(pad, (float(rng.uniform(-1, 1)), float(rng.uniform(-1, 1))))
+
     goals: dict[str, Callable[[], dict[str, float]]] = {
-        "face": lambda: {str(rng.choice(faces)): 1.0},
-        "expression": lambda: {str(rng.choice(worn)): 1.0},
+        "face": lambda: {str(rng.choice(faces)): 1.0} if rng.random() < 0.7 else point("faces"),
+        "expression": lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else point("moods"),
         "head": lambda: {"yaw": float(rng.uniform(-0.6, 0.6)), "pitch": float(rng.uniform(-0.3, 0.3)), "roll": 0.0},
         "clip": lambda: {str(rng.choice(clips)): 1.0},
         **{region: lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else {} for region in PLAY_REGIONS},
@@ -95,10 +108,11 @@ def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips
     cues = []
     for number in range(CUES):
         parts = rng.choice(list(goals), int(rng.integers(1, 5)), replace=False)
-        moves = {
-            f"{WHO}/{part}": omote.Move(goals[str(part)](), lasting(rng), delay=float(rng.choice([0.0, 0.0, 0.4])))
-            for part in parts
-        }
+        moves = {}
+        for part in parts:
+            goal = goals[str(part)]()
+            seconds = lasting(rng) if not is_pad_goal(str(part), goal) else float(rng.uniform(*ACROSS))
+            moves[f"{WHO}/{part}"] = omote.Move(goal, seconds, delay=float(rng.choice([0.0, 0.0, 0.4])))
         follows = "continue" if rng.random() < 0.2 else ""
         cues.append(omote.Cue(f"c{number}", str(number + 1), moves, goes_on=follows, post_wait=0.5))  # type: ignore[arg-type]
     return cues
@@ -143,6 +157,44 @@ def make_session(cast: omote.Cast, seed: int) -> ShowSession:
     return session
 
 
+STROKE_PEAK = 1.875
+"""The highest speed of a stroke, of its length over its time: it goes the way of a quintic."""
+WIDTHS = 0.7
+"""Widths of a pad a second, at most."""
+ACROSS = 4.0, 6.0
+"""Seconds in which a cue moves a point, which may be across the whole pad: as slowly as the hand."""
+SHORTEST_STROKE = 0.2
+"""Seconds."""
+DRAGGED = 0.004
+"""By which a look is dragged at once, at most."""
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A hand's way on a pad from one place to another, in some seconds from a time on."""
+
+    pad: str
+    begin: tuple[float, float]
+    end: tuple[float, float]
+    since: float
+    seconds: float
+
+    def at(self, now: float) -> tuple[float, float]:
+        """Where it is."""
+        y = EASINGS[DEFAULT_EASING].value(min(1.0, max(0.0, (now - self.since) / self.seconds)))
+        (x, y1), (to_x, to_y) = self.begin, self.end
+        return x + (to_x - x) * y, y1 + (to_y - y1) * y
+
+
+def begin_stroke(session: ShowSession, message: ClientMessage, aim: tuple[float, float], now: float) -> Stroke | None:
+    """The way of a hand that takes up a pad by a message, from where its point stands; None where it takes up none."""
+    if not isinstance(message, MovePad):
+        return None
+    x, y = session.scene[WHO].snapshot().pads.get(message.name, (0.0, 0.0))
+    seconds = max(SHORTEST_STROKE, math.dist((x, y), aim) * STROKE_PEAK / (2.0 * WIDTHS))
+    return Stroke(message.name, (x, y), aim, now, seconds)
+
+
 # --- the log ----------------------------------------------------------------------------------------------------------
 
 
@@ -154,9 +206,12 @@ class Log:
         self.faces = list(cast.faces)
         self.worn = [name for name, title in cast.titles.items() if title.kind in ("neutral", "performed")]
         self.number = 0
+        self.aim = (0.0, 0.0)
+        self.pads = cast_pads(cast)
         self.kinds: list[Callable[[str], list[Act]]] = [
             self.go, self.go, self.go_back, self.go_to, self.hold, self.pause, self.pause, self.call, self.call,
             self.region, self.region, self.clip, self.clip, self.stop, self.take, self.take,
+            self.pad, self.pad, self.pad, self.drag,
         ]  # fmt: skip
         if panics:
             self.kinds.append(lambda identity: [("panic", "ana", Panic(WHO, identity))])
@@ -217,6 +272,22 @@ class Log:
         regions = self.region(f"r{identity}")[0][2]
         unseen: list[Act] = [("", "eve", self._called(f"u{identity}")), ("", "eve", regions)]
         return [*unseen, ("take", "ana", Take(identity, lasting(self.rng)))]
+
+    def pad(self, _: str) -> list[Act]:
+        """A hand begins to move the point of a pad, from where it stands."""
+        pad = str(self.rng.choice(list(self.pads)))
+        self.aim = (float(self.rng.uniform(-1.0, 1.0)), float(self.rng.uniform(-1.0, 1.0)))
+        return [("pad", "ana", MovePad(WHO, pad))]
+
+    def drag(self, identity: str) -> list[Act]:
+        """A look of a pad is dragged a little, whatever the pad plays."""
+        pad = self.pads[str(self.rng.choice(list(self.pads)))]
+        looks = list(pad.looks)
+        which = int(self.rng.integers(len(looks)))
+        x, y = (float(np.clip(at + self.rng.uniform(-DRAGGED, DRAGGED), -1.0, 1.0)) for at in looks[which].place)
+        looks[which] = replace(looks[which], place=(x, y))
+        self.pads[pad.name] = replace(pad, looks=tuple(looks))
+        return [("drag", "ana", SetPad(identity, pad.name, pad.part, 2, looks))]
 
     def _cue(self) -> str:
         return str(self.rng.integers(1, CUES + 1))
@@ -300,6 +371,7 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
     now = 0.0
     last = "begin"
     went = 0.0
+    stroke: Stroke | None = None
     frames: list[Frame] = []
     mixes: list[dict[str, Numbers]] = []
     with ExitStack() as stack:
@@ -317,10 +389,13 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
             strides = [1] * steps if inertial else [1, 1, steps - 5, 1, 1, 1]
             for place, stride in enumerate(strides):
                 now += stride / RATE
+                if stroke is not None:
+                    session.receive("ana", MovePad(WHO, stroke.pad, *stroke.at(now)), now)
                 frames = [*frames[-2:], session.cues.advance(stride / RATE).characters[WHO].frame]
                 mixes = [*mixes[-2:], mixes_of(frames[-1])]
                 if len(frames) == 3 and strides[place - 1] == stride == 1:
                     looked.look(frames, mixes, last)
+            stroke = begin_stroke(session, acts[-1][2], log.aim, now)
             for kind, who, message in acts:
                 said = session.receive(who, message, now)
                 refused = any("Refused" in type(each.message).__name__ for each in said)

@@ -90,7 +90,40 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     clip = omote.Clip([lane])
     performer.play_clip(clip)
     scene.set_clips({"line1": clip})
+    look = omote.PadLook("Glad", {"joy": 1.0}, (1.0,))
+    pad = omote.Pad("mood", "expression", 1, (omote.PadLook("Calm", {"neutral": 1.0}, (0.0,)), look))
+    full = omote.Scene.begun(cast)
+    for number in range(29):
+        full.set_pad(replace(pad, name=f"p{number}"))
+    crowded = omote.Scene.begun(cast)
+    crowded.drop_pad("moods")
+    for number in range(30):
+        crowded.set_pad(replace(pad, name=f"p{number}"))
     return {
+        ("PadLook", ValueError): lambda: replace(look, mix={"joy": 0.5}),
+        ("PadLook", TypeError): lambda: replace(look, place=(words,)),
+        ("Pad", ValueError): lambda: replace(pad, dimensions=2),
+        ("Pad", TypeError): lambda: replace(pad, looks=(look, words)),
+        ("Pad.weights_at", ValueError): lambda: pad.weights_at((2.0,)),
+        ("Pad.weights_at", TypeError): lambda: pad.weights_at((words,)),
+        ("Pad.mix_at", ValueError): lambda: pad.mix_at((0.0, 0.0)),
+        ("Pad.mix_at", TypeError): lambda: pad.mix_at((words,)),
+        ("Pad.check_place", ValueError): lambda: pad.check_place((2.0,)),
+        ("Pad.check_place", TypeError): lambda: pad.check_place((words,)),
+        ("Pad.moved", ValueError): lambda: pad.moved((), 0.0, 0.0, None),
+        ("Pad.moved", TypeError): lambda: pad.moved((), words, None, None),
+        ("Performer.move_pad", ValueError): lambda: performer.move_pad(pad, 2.0),
+        ("Performer.move_pad", TypeError): lambda: performer.move_pad(words, 0.0),
+        ("Scene.set_pad", ValueError): lambda: full.set_pad(pad),
+        ("Scene.set_pad", TypeError): lambda: scene.set_pad(words),
+        ("Scene.rename_pad", ValueError): lambda: scene.rename_pad("moods", "mouth"),
+        ("Scene.copy_pad", ValueError): lambda: scene.copy_pad("nowhere", "lips"),
+        ("Scene.drop_pad", ValueError): lambda: scene.drop_pad("nowhere"),
+        ("Scene.restore_pad", ValueError): lambda: scene.restore_pad("nowhere"),
+        ("Scene.add_cast_pads", ValueError): lambda: crowded.add_cast_pads(),
+        ("Scene.move_pad", ValueError): lambda: scene.move_pad("one", "nowhere", 0.0),
+        ("Scene.move_pad", TypeError): lambda: scene.move_pad("one", "mouth", words),
+        ("Scene.find_pad", ValueError): lambda: scene.find_pad("nowhere"),
         ("Lane", ValueError): lambda: omote.Lane(lane.curve, weight=2.0),
         ("Lane", TypeError): lambda: omote.Lane(lane.curve, muted=words),
         ("Clip", ValueError): lambda: omote.Clip([]),

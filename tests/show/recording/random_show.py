@@ -13,6 +13,7 @@ import numpy as np
 from omote.perform.clips.clip import Clip
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
+from omote.perform.pads.blend_space import PadLook
 from omote.perform.snapshot import Playable
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
@@ -50,6 +51,7 @@ from omote.show.objects.clips import (
 )
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.gaze_points import DeleteGazePoint, SetGazePoint
+from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, RenamePad, RestorePad, SetPad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
@@ -185,6 +187,13 @@ class RandomShow:
             lambda: TuneSource(new(), pick(TRACKERS), mirror=pick((True, False)), curve=number(-1, 1)),
             lambda: CalibrateSource(new(), pick(TRACKERS), pick(("neutral", "range", "done", "reset"))),
             lambda: SetLeases(new(), pick((True, False))),
+            lambda: MovePad(who(), pick(("moods", "mouth", "faces", "p")), number(-1, 1), pick((None, 0.5))),
+            lambda: MovePad(who(), pick(("moods", "mouth", "p")), None, number(-1.1, 1.1)),
+            lambda: SetPad(new(), "p", pick(("mouth", "rest", "expression")), 2, self.looks(), pick(("", "g", "h"))),
+            lambda: RenamePad(new(), pick(("moods", "p")), pick(("p", "moods")), pick(("g", "h"))),
+            lambda: CopyPad(new(), "mouth", pick(("p", "q"))),
+            lambda: DropPad(new(), pick(("moods", "p", "q")), pick(("g", "h"))),
+            lambda: pick((AddCastPads(new()), RestorePad(new(), pick(("g", "h"))))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong", "chime"))),
             lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
@@ -198,6 +207,12 @@ class RandomShow:
             lambda: DropClip(new(), "c2"),
             lambda: RestoreClip(new(), "c2"),
         ]  # fmt: skip
+
+    def looks(self) -> list[PadLook]:
+        """The looks of a pad."""
+        count = int(self.rng.integers(2, 6))
+        places = ((self.number(-1, 1), self.number(-1, 1)) for _ in range(count))
+        return [PadLook(f"l{n}", {self.pick(self.expressions): 1.0}, place) for n, place in enumerate(places)]
 
     def action(self) -> CueAction:
         """Something that a cue does beside moving parts."""
@@ -214,6 +229,7 @@ class RandomShow:
         new, pick = self.id, self.pick
         part = pick(("one/face", "one/expression", "one/brows", "one/clip", "*/light", "*/black"))
         goal = {"face": {pick(self.faces): 1.0}, "light": {"flat": 1.0}, "black": {"black": 0.5}}
+        goal["expression"] = pick(({pick(self.expressions): 1.0}, {":pad moods": 1.0, ":x": 0.5, ":y": -0.5}))
         goal["clip"] = pick(({}, {"c1": 1.0}, {"c2": 1.0, ":start": 0.1, ":loop": 1.0, ":mouth": 0.5}))
         aimed = goal.get(part.rpartition("/")[2], {pick(self.expressions): 1.0})
         return [
