@@ -42,9 +42,9 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     yield from playing(tmp_path_factory.mktemp("pads") / "pads.omote")
 
 
-def console(open_page: OpenPage, **options: Any) -> Page:
+def console(open_page: OpenPage, *, pictures: bool = False) -> Page:
     """A console that shows its pads."""
-    page = open_page("/console", pictures=False, **options)
+    page = open_page("/console", pictures=pictures)
     wait_until(page, f"document.querySelector('omote-console')?.context.store.state && {DESK}.manifest")
     wait_until(page, f"{DESK}.newest('pad_list') && {DESK}.online")
     page.keyboard.press("Shift+H")
@@ -70,10 +70,10 @@ def press(page: Page, *place: float) -> None:
     page.mouse.down()
 
 
-def looks(page: Page, pad: str) -> dict[str, list[float]]:
-    """The places of a pad's looks, as the show has told."""
+def looks(page: Page, pad: str, store: str = DESK) -> dict[str, list[float]]:
+    """The places of a pad's looks, as the show has told. store: of the page."""
     found: dict[str, list[float]] = page.evaluate(
-        f"Object.fromEntries({DESK}.newest('pad_list').pads.find(({{name}}) => name === {pad!r}).looks.map("
+        f"Object.fromEntries({store}.newest('pad_list').pads.find(({{name}}) => name === {pad!r}).looks.map("
         "({label, place}) => [label, place]))"
     )
     return found
@@ -84,6 +84,7 @@ def test_the_page_weighs_looks_as_the_engine_does(open_page: OpenPage) -> None:
     random = np.random.default_rng(36)
     for dimensions in (1, 2, 3):
         places = random.uniform(-1, 1, (7, dimensions)).round(3)
+        places[:, 0] = random.permutation(np.linspace(-0.9, 0.9, 7))  # as far apart as a pad asks for
         points = np.concatenate([random.uniform(-1, 1, (40, dimensions)), places])
         pad = Pad(
             "any",
@@ -104,8 +105,10 @@ def test_the_page_weighs_looks_as_the_engine_does(open_page: OpenPage) -> None:
 
 
 def test_a_point_is_taken_along_and_what_shows_follows_it(open_page: OpenPage) -> None:
-    page = console(open_page)
+    page = console(open_page, pictures=True)
     expect(page.locator("omote-blend-pad .look")).to_have_count(30)
+    expect(page.locator("omote-monitor .tally")).to_be_visible()
+    neutral = page.locator("omote-monitor").screenshot()
     press(page, *at(page, "moods", 0.6, 0.0))  # far from the dot: it comes to the pointer
     wait_until(page, f"({DESK}.air.expressions.smile ?? 0) > 0.999", told=f"{DESK}.air.pads")
     page.mouse.up()
@@ -113,6 +116,8 @@ def test_a_point_is_taken_along_and_what_shows_follows_it(open_page: OpenPage) -
         "place": [pytest.approx(0.6, abs=0.02), pytest.approx(0, abs=0.02)],
         "plays": True,
     }
+    while page.locator("omote-monitor").screenshot() == neutral:
+        pass  # the picture follows what is on air within a frame or two
     before = page.evaluate(f"{DESK}.air.pads.moods.place")
     x, y = at(page, "moods", before[0] + 0.1, before[1])
     press(page, x, y)  # near it: it stays where it is, and goes along
@@ -181,6 +186,9 @@ def test_a_pad_is_made_of_tiles_edited_on_air_and_taken_back(open_page: OpenPage
         given=f"const back = {before['Child'][0]}",
     )
 
+    page.locator("[data-pad=my-faces] [data-do=keep]").click()  # what shows, where the point is
+    wait_until(page, f"{DESK}.newest('pad_list').pads.find(({{name}}) => name === 'my-faces').looks.length === 4")
+    assert place in looks(page, "my-faces").values()
     page.locator("[data-pad=my-faces] [data-do=delete]").click()
     wait_until(page, f"!{DESK}.newest('pad_list').pads.some(({{name}}) => name === 'my-faces')")
     page.keyboard.press("Control+z")
@@ -198,12 +206,16 @@ def test_one_person_plays_two_pads_by_two_thumbs_cues_and_panic(open_page: OpenP
         touches = [{"x": x, "y": y, "id": n} for n, (x, y) in enumerate(points)]
         tools.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
 
-    touch("touchStart", at(page, "mouth", -0.75, 0.3))
-    touch("touchStart", at(page, "mouth", -0.75, 0.3), at(page, "moods", 0.0, 0.7))
+    mouth, moods = looks(page, "mouth", SOLO), looks(page, "moods", SOLO)
+    touch("touchStart", at(page, "mouth", *mouth["Funnel"]))
+    touch("touchStart", at(page, "mouth", *mouth["Funnel"]), at(page, "moods", *moods["Surprise"]))
     wait_until(
-        page, f"({SOLO}.air.regions.mouth?.mouthFunnel ?? 0) > 0.9", told=f"[{SOLO}.air.regions, {SOLO}.air.pads]"
+        page,
+        "(air.regions.mouth?.mouthFunnel ?? air.expressions.surprise ?? 0) > 0.9",
+        given=f"const {{ air }} = {SOLO}",
+        told=f"[{SOLO}.air.regions, {SOLO}.air.pads]",
     )
-    touch("touchMove", at(page, "mouth", -0.8, -0.35), at(page, "moods", -0.6, -0.75))
+    touch("touchMove", at(page, "mouth", *mouth["Pout"]), at(page, "moods", *moods["Sad"]))
     wait_until(
         page,
         "(air.regions.mouth?.pout ?? 0) > 0.9 && (air.regions.brows ?? air.expressions).sad > 0.9",
