@@ -46,7 +46,7 @@ export const padPanelStyle = css`
     gap: 6px;
     overflow: auto hidden;
     container: pads / size;
-    scroll-snap-type: x proximity;
+    overflow-anchor: none; /* a pad that is put first is seen */
     scrollbar-width: thin;
     scrollbar-color: var(--edge) transparent;
   }
@@ -54,7 +54,6 @@ export const padPanelStyle = css`
   omote-pad-editor {
     flex: 0 0 min(100cqw, max(180px, 100cqh - 22px));
     height: 100%;
-    scroll-snap-align: start;
   }
   omote-pad-editor {
     flex-basis: min(100cqw, max(320px, 100cqh + 130px));

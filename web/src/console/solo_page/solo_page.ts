@@ -161,7 +161,7 @@ export class SoloPage extends ConsoleElement {
       <omote-liveliness .context=${context}></omote-liveliness>
       <button data-do="save" title="Every page of the show can open with it: /solo?layout=${layouts.chosen}" @click=${() => void layouts.save(layouts.chosen)}>Save as layout ${layouts.chosen}</button>
       <button data-do="learn" title="Dials, sticks and keys of devices (Z)" @click=${this.#learn}>Learn a device</button>
-      <button @click=${this.#showHelp}>Keys</button>
+      <button class="keys" @click=${this.#showHelp}>Keys</button>
       <a href="/console" target="omote-console">Console</a><a href="/cues" target="omote-cues">Cues</a></div>`;
   }
 

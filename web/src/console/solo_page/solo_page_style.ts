@@ -196,6 +196,9 @@ export const soloPageStyle = css`
         "left below right" var(--below, 0px)
         "looks looks looks" auto / minmax(0, 1fr) minmax(0, 1.15fr) minmax(0, 1fr);
     }
+    .chosen :is(omote-liveliness, .keys) {
+      display: none; /* in the bar */
+    }
     :host([head][lines]) {
       --below: minmax(112px, 15fr);
     }
@@ -231,8 +234,7 @@ export const soloPageStyle = css`
       padding: 0 6px;
     }
     h1,
-    omote-liveliness,
-    .help {
+    .bar > :is(omote-liveliness, .help) {
       display: none; /* in what is chosen to show */
     }
     .panic {
@@ -244,6 +246,11 @@ export const soloPageStyle = css`
     }
     .notice.none {
       display: none;
+    }
+  }
+  @media (max-width: 899px) and (orientation: portrait) {
+    .chosen {
+      inset: auto 6px 6px auto; /* the face stays in sight */
     }
   }
   /* a phone on its side: one row below the face, the first that is chosen */
