@@ -94,7 +94,13 @@ const style = css`
       display: none; /* the picture is small; the mixer has it */
     }
   }
+  @media (pointer: coarse) {
+    .several .still {
+      display: none; /* beside the keys of characters there is room for as many as these; the mixer has it */
+    }
+  }
   @media (pointer: coarse) and (max-width: 1100px) and (max-height: 560px) {
+    .several .blend_pads,
     .still {
       display: none; /* with keys for fingers it would be a third row */
     }
@@ -159,7 +165,7 @@ export class CharacterRow extends AnimatedElement {
     const several = characters.length > 1;
     const commands = new SceneCommands(this.store);
     const why = commands.whyFull;
-    return html`<div class="row" role="group" aria-label="Characters">
+    return html`<div class="row ${several ? "several" : ""}" role="group" aria-label="Characters">
       ${several ? html`<div class="names">${characters.map(([name, character]) => this.#key(name, character))}</div>` : nothing}
       <div class="tools">${several ? this.#choice(characters) : nothing}
       <button class="still" aria-pressed="false" title="Holds still; else it blinks, breathes and looks about as people do (')"
