@@ -51,7 +51,7 @@ from omote.perform.mappings.mapping import (
     MacroTarget,
 )
 from omote.perform.mappings.monotone_curve import MOST_KNOTS, NEAREST_KNOTS
-from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
+from omote.perform.pads.blend_space import FEWEST_LOOKS, LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show import messages
@@ -162,7 +162,8 @@ def _lights() -> dict[str, dict[str, object]]:
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
     "MOST_PADS": ("Pads of a show.", MOST_PADS),
-    "MOST_LOOKS": ("Looks of a pad.", MOST_LOOKS),
+    "FEWEST_LOOKS": ("Looks of a pad at least.", FEWEST_LOOKS),
+    "MOST_LOOKS": ("Looks of a pad at most.", MOST_LOOKS),
     "LEAST_APART": ("Between the places of two looks of a pad, which go from -1 to 1.", LEAST_APART),
     "LONGEST_MACRO": ("Letters of the name of a macro.", LONGEST_MACRO),
     "MOST_TARGETS": ("Targets of a macro.", MOST_TARGETS),

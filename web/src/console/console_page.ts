@@ -53,6 +53,7 @@ import "./controls/light_row";
 import "./panels/on_air_mix";
 import "./panels/monitor";
 import "./controls/pad";
+import "./pads/pad_panel";
 import "./palette/palette";
 import "./panels/status_bar";
 import type { MenuRequest } from "./palette/tile_menu";
@@ -134,7 +135,7 @@ export class ConsolePage extends ConsoleElement {
       <section class="panel air" aria-label="On air and coming">
         <omote-monitor class="live picture" .context=${context}></omote-monitor>
         <omote-head-frames class="live picture" .context=${context} .boxes=${this.#heads}></omote-head-frames>
-        <omote-characters class="live picture" .context=${context} @scene=${() => this.#toggle("scene")} @layers=${() => this.#toggle("layers")}></omote-characters>
+        <omote-characters class="live picture" .context=${context} @scene=${() => this.#toggle("scene")} @blend_pads=${() => this.#toggle("blend_pads")} @layers=${() => this.#toggle("layers")}></omote-characters>
         ${this.notices}
         <div class="mixes">
           <omote-mix class="live picture" .context=${context} .axis=${"face"}></omote-mix>
@@ -152,6 +153,7 @@ export class ConsolePage extends ConsoleElement {
         <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
       </section>
       <omote-bank class="panel live" .context=${context}></omote-bank>
+      ${shown === "blend_pads" ? html`<omote-pad-panel class="panel live" .context=${context} @close=${() => this.#toggle("blend_pads")}></omote-pad-panel>` : nothing}
       ${shown === "scene" ? html`<omote-scene-panel class="panel live" .context=${context} @close=${() => this.#toggle("scene")}></omote-scene-panel>` : nothing}
       ${shown === "layers" ? html`<omote-layer-panel class="panel live" .context=${context} @calibrate=${this.#calibrate} @close=${() => this.#toggle("layers")}></omote-layer-panel>` : nothing}
       <nav class="views live" role="tablist" aria-label="What is shown below">
@@ -196,13 +198,13 @@ export class ConsolePage extends ConsoleElement {
 
   readonly #heads = (): Monitor["heads"] => this.monitor.heads;
 
-  /** What is shown below while neither scene nor layers are. */
+  /** What is shown below while none of scene, layers and pads of looks is. */
   #below: ConsoleView = "palettes";
 
-  /** Opens scene or layers in the place of what is below, and closes them. */
-  #toggle(wanted: "scene" | "layers"): void {
+  /** Opens scene, layers or pads of looks in the place of what is below, and closes them. */
+  #toggle(wanted: (typeof IN_PLACE)[number]): void {
     const { view } = this.store.arrangement;
-    if (view !== "scene" && view !== "layers") this.#below = view;
+    if (!IN_PLACE.some((other) => other === view)) this.#below = view;
     this.store.arrange({ view: view === wanted ? this.#below : wanted });
   }
 
@@ -285,7 +287,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
     else if (command.do === "bus") changeBus(this.store);
-    else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
+    else if (command.do === "scene" || command.do === "layers" || command.do === "blend_pads") this.#toggle(command.do);
     else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));
     else if (command.do === "focus" && command.place === "characters" && this.#keepPass()) return;
     else if (command.do === "focus")
@@ -315,6 +317,8 @@ export class ConsolePage extends ConsoleElement {
   }
 }
 
+/** What stands in the place of what is below. */
+const IN_PLACE = ["scene", "layers", "blend_pads"] as const;
 /** Where palettes, faders and pads take turns. */
 const IN_TURN = matchMedia(`${NARROW} or ${LOW}`);
 
@@ -333,6 +337,7 @@ const VIEW_LABELS: Readonly<Record<ConsoleView, readonly [string, string]>> = {
   palettes: ["Faces", ", expressions"],
   faders: ["Faders", ""],
   pads: ["Head", ", gaze"],
+  blend_pads: ["Pads", ""],
   scene: ["Scene", ""],
   layers: ["Layers", ""],
 };

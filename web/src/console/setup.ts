@@ -100,7 +100,7 @@ export class Setup extends ConsoleDialog {
       <omote-setups .context=${this.context}></omote-setups>
       <h2>Cues and clips</h2>
       <p>Whole looks in the order of a show, recorded here and called by GO.</p>
-      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>
+      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/solo" target="omote-solo">Play alone</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>
         <button data-open="moments" @click=${() => this.tell("moments")}>Mark and keep</button></div>
       <div class="row"><a class="bus" href=${addressOn(this.store.bus === "air" ? "preview" : "air", location)}>${this.store.bus === "air" ? "Build a look up in preview, not on air" : "Back to what is on air"} (Shift P)</a></div>
       <h2>Bring in files</h2>

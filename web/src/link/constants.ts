@@ -2,7 +2,9 @@
 
 /** Pads of a show. */
 export const MOST_PADS = 32;
-/** Looks of a pad. */
+/** Looks of a pad at least. */
+export const FEWEST_LOOKS = 2;
+/** Looks of a pad at most. */
 export const MOST_LOOKS = 12;
 /** Between the places of two looks of a pad, which go from -1 to 1. */
 export const LEAST_APART = 0.06;

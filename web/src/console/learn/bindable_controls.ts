@@ -17,14 +17,17 @@ import {
   lightTarget,
   macroTarget,
   memoryTarget,
+  padTarget,
   type Target,
   targetKey,
   whoOf,
 } from "../devices/binding_target";
 import type { MacroFader } from "../mappings/macro_fader";
 import type { LayerFader } from "../mixer/layer_fader";
+import type { BlendPad } from "../pads/blend_pad";
 import type { Palette } from "../palette/palette";
 import type { ConsoleStore } from "../store/console_store";
+import type { PadAxis } from "../store/knob";
 
 export interface BindableControl {
   readonly element: HTMLElement;
@@ -65,6 +68,14 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
         [".tilt", () => turns("roll")],
       ];
     },
+    "omote-blend-pad": (element, _, who) => {
+      const { pad, axes } = element as BlendPad;
+      const along = (...of: PadAxis[]) => of.map((axis) => padTarget(who, pad.name, axis));
+      return [
+        [".field", () => along(...axes.slice(0, 2))],
+        [".depth", () => along("z")],
+      ];
+    },
     "omote-palette": (element, store, who) => {
       const { axis } = element as Palette;
       return [[".tile", (tile) => [callTarget(who, axis, tile.dataset.name ?? "", store.callSeconds(axis))]]];
@@ -79,7 +90,7 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
   };
 const TAGS = Object.keys(PARTS).join(",");
 /** Elements that hold others of these. */
-const HOLDERS = "omote-bank,omote-layer-panel";
+const HOLDERS = "omote-bank,omote-layer-panel,omote-pad-panel";
 
 /** All of them below a root, in the order of the page. */
 export function findControls(root: ParentNode, store: ConsoleStore): BindableControl[] {

@@ -350,6 +350,8 @@ export class ConsoleStore extends PageStore {
   readonly gaze = (part: GazePart): Knob => this.#knobs.gaze(part);
   /** How much of a layer shows. */
   readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
+  /** Where the point of a pad stands along a dimension of it. */
+  readonly pad: Knobs["pad"] = (...of) => this.#knobs.pad(...of);
   readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
   readonly spring: Knobs["spring"] = (name) => this.#knobs.spring(name);
   /** Where a macro is. */

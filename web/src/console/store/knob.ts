@@ -37,6 +37,9 @@ export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
 export type SpringName = (typeof SPRINGS)[number];
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
+/** The dimensions of a pad, in order. */
+export type PadAxis = "x" | "y" | "z";
+export const PAD_AXES: readonly PadAxis[] = ["x", "y", "z"];
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
 export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
@@ -106,6 +109,15 @@ export class Knobs {
     return this.#knob([`gaze:${part}`], (state) => handsOf(state).gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
   }
 
+  /** Where the point of a pad stands along one of its dimensions, -1..1. */
+  pad(name: string, axis: PadAxis): Knob {
+    return this.#knob(
+      [`pad:${name}:${axis}`],
+      (state) => state.pads[name]?.place[PAD_AXES.indexOf(axis)] ?? 0,
+      () => this.#putPad(name),
+    );
+  }
+
   /** How much of a layer shows, in a part of the character or, `null`, on the whole. */
   layer(layer: LayerName, part: LayerPart | null): Knob {
     const key = part === null ? `layer:${layer}` : `layer:${layer}:${part}`;
@@ -169,6 +181,14 @@ export class Knobs {
     this.#put("gaze", (character) => ({ type: "set_gaze", character, yaw, pitch }));
   };
 
+  /** What hands elsewhere move of the same pad stays theirs: only the dimensions that are under a hand here go along. */
+  #putPad(name: string): void {
+    const now = this.host.now();
+    const here = PAD_AXES.map((axis) => [axis, this.pad(name, axis)] as const).filter(([, knob]) => knob.counts(now));
+    const place = Object.fromEntries(here.map(([axis, knob]) => [axis, knob.value(now)]));
+    this.#put(`pad:${name}`, (character) => ({ type: "move_pad", character, name, ...place }));
+  }
+
   /** Another has what a hand here is on: it shows what is on air. */
   #lose(keys: readonly string[]): void {
     for (const parameter of keys) this.#holds.leave(parameter, this.host.now() - ECHO);
@@ -217,10 +237,11 @@ export class Knobs {
 
 /**
  * What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `layer:lips` by
- * `set_layer:lips`, `macro:mouth` by `move_macro:mouth`, `head:yaw` by `set_head`.
+ * `set_layer:lips`, `macro:mouth` by `move_macro:mouth`, `head:yaw` by `set_head`, `pad:moods:x` by `move_pad:moods`.
  */
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
+  if (what === "pad") return `move_pad:${name}`;
   if (what === "channel" || what === "layer" || what === "spring") return `set_${key}`;
   if (what === "macro") return `move_${key}`;
   return name === undefined ? key : `set_${what}`;
