@@ -40,6 +40,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PAR
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.show import messages
 from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
@@ -52,7 +53,7 @@ FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
 WIDTH = 120
 """Characters of a line, as the web's formatter has it."""
-VALUES = (Move, CueAction, Cue)
+VALUES = (Move, CueAction, Cue, PadLook)
 """Values of the engine that travel as they are."""
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
@@ -66,7 +67,7 @@ def type_script(annotation: object) -> str:
     return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
 
 
-def value_type(value: type[Move | CueAction | Cue]) -> str:
+def value_type(value: type[Move | CueAction | Cue | PadLook]) -> str:
     """One exported type of a value of the engine, with the first line of its docstring as its comment."""
     hints = typing.get_type_hints(value)
     fields = "".join(f"  {each.name}: {type_script(hints[each.name])};\n" for each in dataclasses.fields(value))
@@ -147,6 +148,9 @@ def _lights() -> dict[str, dict[str, object]]:
 
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
+    "MOST_PADS": ("Pads of a show.", MOST_PADS),
+    "MOST_LOOKS": ("Looks of a pad.", MOST_LOOKS),
+    "LEAST_APART": ("Between the places of two looks of a pad, which go from -1 to 1.", LEAST_APART),
     "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
     "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),
     "FRAMING_JOINT": ("Between the names of the characters of a framing.", JOINT),

@@ -41,6 +41,8 @@ if TYPE_CHECKING:
     from omote.perform.cues.cue import Move as Move
     from omote.perform.cues.cue_action import CueAction as CueAction
     from omote.perform.cues.cue_player import CuePlayer as CuePlayer
+    from omote.perform.pads.blend_space import Pad as Pad
+    from omote.perform.pads.blend_space import PadLook as PadLook
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
@@ -70,6 +72,8 @@ _HOMES = {
     "Gain": "omote.model.space.gain",
     "Lane": "omote.perform.clips.clip",
     "Move": "omote.perform.cues.cue",
+    "Pad": "omote.perform.pads.blend_space",
+    "PadLook": "omote.perform.pads.blend_space",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Renderer": "omote.server.headless.picture_renderer",

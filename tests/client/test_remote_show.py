@@ -43,6 +43,8 @@ NO_CALLS = {
     "drive_layer",
     "leave_layer",
     "recalibrate_layer",
+    *("move_pad", "wear_pads"),  # an engine is given a pad, a program calls those of the show by name
+    *("find_pad", "follow_pads"),  # of the show, and of the preview
     "note_camera",  # stages say where theirs are
     *(
         "play_clip",

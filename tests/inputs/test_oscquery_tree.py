@@ -23,6 +23,7 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
+from omote.perform.scene.scene import Scene
 from omote.perform.speech.spelling import LANGUAGES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
@@ -34,6 +35,7 @@ from omote.show.session import ShowSession
 from tests import synthetic
 
 CAST = synthetic.cast()
+PADS = {name: pad.dimensions for name, pad in Scene.begun(CAST).pads.items()}
 OF_CUES = ("/omote/back", "/omote/assert", "/omote/update_cue", "/keep_pass")
 """What needs a cue that has been called (tests/show/cues), or a pass that is recorded (tests/show/clips)."""
 
@@ -65,7 +67,7 @@ def extremes(leaf: Node) -> list[list[Argument]]:
 def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: ShowSession) -> None:
     session.join("osc", "OSC")
     session.receive("osc", SetLeases("on", True), 0.0)
-    for leaf in leaves(build_addresses(CAST, ["one"])):
+    for leaf in leaves(build_addresses(CAST, ["one"], PADS)):
         for arguments in extremes(leaf):
             call = f"{leaf['FULL_PATH']}{arguments}"[-64:]
             orders = OrderReader(CAST, {"one": "One"}).read(OscMessage(leaf["FULL_PATH"], tuple(arguments)), call)
@@ -81,7 +83,7 @@ def test_a_text_has_no_range_and_another_character_is_one_of_those_that_there_ar
 
 
 def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
-    paths = {leaf["FULL_PATH"] for leaf in leaves(build_addresses(CAST, ["one", "two"]))}
+    paths = {leaf["FULL_PATH"] for leaf in leaves(build_addresses(CAST, ["one", "two"], PADS))}
     wanted = set()
     for address in ADDRESSES:
         for owner in ["one"] if address.of_show else ["one", "two"]:
@@ -89,6 +91,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             layered = address.path.startswith("layer")
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
+            known = {*PADS} if address.path.startswith("pad/") else known
             known = set() if address.path.startswith(("memory", "clip")) else known  # whose names no cast has
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]

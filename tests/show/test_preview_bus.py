@@ -19,6 +19,7 @@ from omote.show.declaration import CharacterCommand, ClientMessage, DeviceMessag
 from omote.show.messages import CLIENT_MESSAGES, PROTOCOL_VERSION
 from omote.show.objects import calls, characters, cues, faders, gaze_points, layers, memories, motion, pictures, speech
 from omote.show.objects.clips import PlayClip
+from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.leases import Leases, SetLeases
 from omote.show.objects.link import Bus, Hello, Refused
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
@@ -133,7 +134,7 @@ def test_what_follows_the_bus_plays_on_a_scene_alone() -> None:
     followers = {kind for kind in CLIENT_MESSAGES if kind.follows_bus}
     assert all(issubclass(kind, CharacterCommand | SceneCommand) for kind in followers)
     for kind in followers:
-        assert kind.act in (CharacterCommand.act, SceneCommand.act, PlayClip.act), kind
+        assert kind.act in (CharacterCommand.act, SceneCommand.act, PlayClip.act, MovePad.act), kind
     of_air = {kind for kind in CLIENT_MESSAGES if not kind.follows_bus}
     assert {calls.Panic, speech.Say, speech.SayByVoice, characters.RemoveCharacter, cues.Go, cues.GoBack} <= of_air
     assert {kind for kind in CLIENT_MESSAGES if issubclass(kind, DeviceMessage | FileRequest)} <= of_air

@@ -39,6 +39,7 @@ from omote.show.objects.motion import SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.stages import CastChanged, Crew, Drawing, StageReport
 from omote.show.objects.state import Place
+from omote.show.pad_list import list_pads
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.state import EYE_SECONDS
@@ -156,8 +157,9 @@ def test_consoles_are_told_what_the_crew_must_know_and_stages_are_not(cast: Cast
     session = ShowSession(cast)
     session.notices = [Notice("1", 1.7e9, "The show's process ended.")]
     told = [session.receive(role, Hello(role, PROTOCOL_VERSION), 0.0)[1:] for role in ("console", "stage")]
-    assert told == [[Outgoing("console", Notices(session.notices))], []]
-    assert session.notices_for("console") == told[0]
+    pads = list_pads(session.scene.pads, cast)
+    assert told == [[Outgoing("console", Notices(session.notices)), Outgoing("console", pads)], []]
+    assert session.notices_for("console") == told[0][:1]
 
 
 def test_a_page_of_another_version_is_told_to_reload(cast: Cast) -> None:
@@ -700,7 +702,7 @@ def test_consoles_are_told_the_layouts_that_there_are_and_stages_are_not(cast: C
     session.receive("s", Hello("stage", PROTOCOL_VERSION), 0.0)
     assert session.list_documents("layout", ["desk", "left"]) == [Outgoing("a", Layouts(["desk", "left"]))]
     _, *told = session.receive("late", Hello("console", PROTOCOL_VERSION), 0.0)
-    assert told == [Outgoing("late", Layouts(["desk", "left"]))]
+    assert told[:1] == [Outgoing("late", Layouts(["desk", "left"]))]
 
 
 def test_every_console_has_a_name_of_its_own_and_may_change_it(cast: Cast) -> None:
@@ -708,7 +710,7 @@ def test_every_console_has_a_name_of_its_own_and_may_change_it(cast: Cast) -> No
     names = []
     for who, wanted in [("a", "Ana"), ("b", ""), ("c", " ana "), ("d", ""), ("b", "Ben"), ("a", "Ana")]:
         hello = Hello("console", PROTOCOL_VERSION, wanted)
-        (welcome,) = session.receive(who, hello, 0.0)
+        welcome = session.receive(who, hello, 0.0)[0]
         assert isinstance(welcome.message, Welcome)
         names.append(welcome.message.name)
     assert names == ["Ana", "console 1", "ana 2", "console 2", "Ben", "Ana"]

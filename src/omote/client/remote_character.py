@@ -26,6 +26,7 @@ from omote.perform.speech.spelling import check_language
 from omote.show.declaration import CharacterCommand, ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.motion import LookAt
 from omote.show.objects.sources import Drive, Source, StreamKind
@@ -123,6 +124,11 @@ class RemoteCharacter(Generic[Sent, Said]):
         source = Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = pack_numbers(channels.values(), "the weight of a channel")
         return self._show.drive(source, Drive(0, values, head, gaze, found))
+
+    def move_pad(self, name: str, x: float | None = None, y: float | None = None, z: float | None = None) -> Sent:
+        """Moves the point of a pad of the show (name), -1 to 1 for each of its dimensions: what it plays shows the
+        mixture of its looks there. What is not given of x, y and z stays."""
+        return self._show.send(MovePad(self.name, name, x, y, z))
 
     def set_layer(
         self, layer: str, *, region: str | None = None, influence: float | None = None, on: bool | None = None

@@ -15,6 +15,7 @@ from omote.perform.frame import (
     Home,
     LayerStatus,
     MotionSettings,
+    PadStatus,
     SourceStatus,
     SpeechStatus,
 )
@@ -49,6 +50,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         clips=tuple(
             ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
+        pads={name: PadStatus(tuple(point.place), point.plays) for name, point in character.pads.items()},
     )
 
 

@@ -13,12 +13,14 @@ from omote.model.known_names import GENERIC
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.layers.layer_names import check_driven, check_part
 from omote.perform.limits import check_known
+from omote.perform.pads.blend_space import Pad
 from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
 from omote.show.declaration import CharacterCommand, ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import Panic
 from omote.show.objects.characters import AddCharacter, PlaceCharacter
 from omote.show.objects.cues import CueStatus
+from omote.show.objects.hand.pads import SetPad
 from omote.show.objects.leases import Lease, LeasePart, ReleaseLease
 from omote.show.objects.pictures import CallFraming
 from omote.show.objects.sources import CalibrateSource, CalibrationStep, Drive, RouteSource, Source
@@ -167,6 +169,13 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
         size = here.size if size is None else size
         turn = here.turn if turn is None else turn
         return self.send(PlaceCharacter(self.find_character(name), x, depth, size, turn, seconds, self.next_id()))
+
+    def set_pad(self, pad: Pad, *, key: str = "") -> Sent:
+        """Keeps a pad; one of its name makes way, and what that plays follows the new one. key: what `restore_pad`
+        finds the one before by, its name where none is given."""
+        if not isinstance(pad, Pad):
+            raise TypeError(f"the pad is a {type(pad).__name__}; give an omote.Pad")
+        return self.send(SetPad(self.next_id(), pad.name, pad.part, pad.dimensions, list(pad.looks), key))
 
     def call_framing(
         self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from omote.inputs.character_patterns import characters_meant
@@ -43,10 +44,12 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have. characters: what people call each, by name."""
+    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, where
+    they are listed."""
 
     cast: Playable
     characters: Mapping[str, str]
+    pads: Mapping[str, int] = MappingProxyType({})
 
 
 class Level(NamedTuple):
@@ -164,7 +167,7 @@ class OrderReader:
     def _read_value(self, value: Value, argument: Argument) -> Any:
         if value.kind == "number" and type(argument) is float:
             return argument
-        if argument is None and value.default is not None:
+        if argument is None and (value.optional or value.default is not None):
             return value.default
         if argument is None and not value.may_be_left_out:
             expected = f"the name of a {value.kind}, as text" if value.kind in NAMED else _listed([value])
@@ -259,7 +262,7 @@ def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
 
 
 SCENE_NAMES: Mapping[str, Callable[[str, Mapping[str, str]], str | list[str]]] = {
-    "framing": _characters, "character": find_character, "text": lambda text, _: text,
+    "framing": _characters, "character": find_character, "text": lambda text, _: text, "pad": lambda text, _: text,
 }  # fmt: skip
 """What finds the names of a scene, by its characters' names and labels."""
 

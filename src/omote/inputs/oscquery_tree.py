@@ -32,6 +32,7 @@ UNITS = {"degrees": "angle.degree"}
 ATTRIBUTES = ("FULL_PATH", "CONTENTS", "TYPE", "ACCESS", "RANGE", "VALUE", "DESCRIPTION", "UNIT")
 """What can be asked for by itself; every node has the first and ACCESS."""
 HOST_INFO = "HOST_INFO"
+NO_PADS: Mapping[str, int] = {}
 Transport = Literal["UDP", "TCP"]
 
 
@@ -46,10 +47,12 @@ def host_info(name: str, port: int, transport: Transport = "UDP") -> dict[str, A
     return {"NAME": name, "OSC_PORT": port, "OSC_TRANSPORT": transport, "EXTENSIONS": extensions}
 
 
-def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
-    """The tree of all addresses without values: the same as long as cast and characters are."""
+def build_addresses(cast: Playable, characters: Iterable[str], pads: Mapping[str, int] = NO_PADS) -> Node:
+    """The tree of all addresses without values: the same as long as cast, characters and pads are.
+
+    pads: the dimensions of each, by name."""
     root = _container("/")
-    names = Names(cast, {name: name for name in characters})
+    names = Names(cast, {name: name for name in characters}, pads)
     for address in ADDRESSES:
         for owner in [""] if address.of_show else names.characters:
             for path in _paths(address, owner, names):
@@ -93,9 +96,11 @@ def _own_path(address: Address, owner: str) -> str:
 def _leaf(address: Address, path: str, names: Names) -> Node:
     """The node of an address: what it takes but for times behind others, which may be left out."""
     own = address.values[address.path.count("{") :]
+    if any(value.optional for value in own):
+        own = own[: names.pads[path.rpartition("/")[2]]]
     taken = [value for value in own if value.kind not in ("seconds", "time") and value.default is None] or list(own)
     press = all(value.kind in ("press", "time", "speech") for value in taken)
-    more = " (seconds may follow)" if len(taken) < len(address.values) - address.path.count("{") else ""
+    more = " (seconds may follow)" if len(taken) < len(own) else ""
     node: Node = {
         "FULL_PATH": path,
         "TYPE": "".join(TYPES.get(value.kind, "s") for value in taken),
@@ -124,6 +129,8 @@ def _names(value: Value, names: Names) -> list[str]:
         return [*names.characters]
     if value.kind == "framing":
         return [ALL, *names.characters]
+    if value.kind == "pad":
+        return [*names.pads]
     if value.kind == "text":
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {

@@ -1,7 +1,8 @@
 """One axis of the mix (faces, expressions or lights): what is on air, the running call, and the T-bar.
 
 An axis is a value; every function here returns a changed copy. A call moves the weights along
-(1 - y) start + y target + velocity term; its progress y follows the easing, or the T-bar.
+(1 - y) start + y target + velocity term; its progress y follows the easing, or the T-bar. A pad plays an axis as a call
+does whose target moves with the pad's point.
 """
 
 from __future__ import annotations
@@ -27,6 +28,8 @@ from omote.perform.easing import (
 )
 from omote.perform.frame import CallStatus, with_fields
 from omote.perform.mix import Weights, combine, mix_of_one, normalise, share_in_range
+from omote.perform.pads.blend_space import PadPlace
+from omote.perform.pads.pad_point import PadPoint, point_after, point_at, point_moved, point_rates
 
 LEAST_STANDING = 1e-3
 """What weighs less when a mix comes to a stand goes: nobody sees it, and nobody would find it."""
@@ -62,13 +65,14 @@ class Call:
 @dataclass(frozen=True)
 class Axis:
     """The state of one axis: `on_air` alone, or the mix `stands`, or a call running from there; `hand` is its T-bar's
-    position, 0..1."""
+    position, 0..1. `point`: that of the pad that plays it; then the mix that stands, or is called, moves with that."""
 
     on_air: str
     call: Call | None = None
     hand: float = 0.0
     flipped: bool = field(default=False)
     stands: Mapping[str, float] | None = None
+    point: PadPoint | None = None
 
 
 class Slots(NamedTuple):
@@ -129,7 +133,10 @@ def weights(axis: Axis) -> dict[str, float]:
 
 def rates(axis: Axis) -> dict[str, float]:
     """The change of the mix per second; it sums to nothing."""
-    return {} if axis.call is None else _mix_at(axis.call, slot_rates(axis))
+    called_rates = {} if axis.call is None else _mix_at(axis.call, slot_rates(axis))
+    if axis.point is None:
+        return called_rates
+    return combine(((1.0, called_rates), (slots(axis).target, point_rates(axis.point))))
 
 
 def called(
@@ -142,16 +149,16 @@ def called(
 
     The end nearest to the hand becomes the start of the call, so a T-bar left at either end picks up at once.
     """
-    if axis.call is None and axis.stands == goal and axis.on_air == target:
+    if axis.call is None and axis.stands == goal and axis.on_air == target and axis.point is None:
         return axis
     if seconds == 0.0:
-        return replace(axis, on_air=target, call=None, stands=goal)
+        return replace(axis, on_air=target, call=None, stands=goal, point=None)
     start = weights(axis)  # eq. 4 to 7 of Arai (1993) freeze the blend that shows; its weights say all of it
     velocity = rates(axis)
     end = mix_of_one(target) if goal is None else goal
     decay = decay_seconds(start, velocity, end, seconds, find_easing(easing))
     call = Call(target, start, velocity, decay, easing, seconds, goal=goal)
-    return replace(axis, call=call, flipped=axis.hand > 0.5)
+    return replace(axis, call=call, flipped=axis.hand > 0.5, point=None)
 
 
 def halted(axis: Axis, seconds: float) -> Axis:
@@ -160,14 +167,22 @@ def halted(axis: Axis, seconds: float) -> Axis:
     Half of speed times seconds is where a brake that eases leaves a mix; it never goes back.
     """
     axis = replace(axis, hand=0.0, flipped=False)
-    if axis.call is None or axis.call.goal is not None:
+    call = axis.call
+    if axis.point is not None and call is None:
+        return let_go(axis, seconds)
+    if call is None or (axis.point is None and call.goal is not None):
         return axis
     start = weights(axis)
     velocity = rates(axis)
     easing = DEFAULT_EASING
-    goal = standing_mix(combine(((1.0, start), (seconds / 2.0, velocity))))
+    if axis.point is None:
+        goal = standing_mix(combine(((1.0, start), (seconds / 2.0, velocity))))
+    else:  # the pad's mix moves too, and soon stands where its point is
+        y, rate = progress(call)
+        y = min(1.0, y + rate * seconds / 2.0)
+        goal = standing_mix(combine(((1.0 - y, call.start), (y, axis.point.goal))))
     decay = decay_seconds(start, velocity, goal, seconds, find_easing(easing))
-    return replace(axis, call=Call(_heaviest(goal), start, velocity, decay, easing, seconds, goal=goal))
+    return replace(axis, call=Call(_heaviest(goal), start, velocity, decay, easing, seconds, goal=goal), point=None)
 
 
 def called_to_mix(axis: Axis, mix: Weights, seconds: float, easing: str) -> Axis:
@@ -182,6 +197,37 @@ def moving(mix: Weights, velocity: Weights) -> Axis:
     return Axis(name, Call(name, mix, velocity, DECAY_SECONDS, DEFAULT_EASING, DECAY_SECONDS))
 
 
+def played(axis: Axis, pad: str, place: PadPlace, mix: Weights, seconds: float, easing: str = DEFAULT_EASING) -> Axis:
+    """The axis that the point of a pad plays from now on: from whatever shows, at its speed.
+
+    pad: its name; place: of the point; mix: what the pad shows there; seconds: in which what shows makes way where
+    another plays, 0 cuts; easing: the curve of that. No T-bar moves such an axis.
+    """
+    if axis.point is not None and axis.point.pad == pad and seconds:
+        return replace(axis, point=point_moved(axis.point, place, mix))
+    taken = called(axis, _heaviest(mix), seconds, easing, dict(mix))
+    return replace(taken, point=point_at(pad, place, mix))
+
+
+def replayed(axis: Axis, pad: str, place: PadPlace, mix: Weights) -> Axis:
+    """The axis whose pad has changed: it is called another name, or shows another mix where its point is.
+
+    pad: its name; place: of the point; mix: what the pad shows there.
+    """
+    point = axis.point
+    if point is None or (point.pad, point.place, point.goal) == (pad, place, mix):
+        return axis
+    return replace(axis, point=with_fields(point_moved(point, place, mix), pad=pad))
+
+
+def let_go(axis: Axis, seconds: float) -> Axis:
+    """The axis without its pad, which comes to a stand, within `seconds`, at what the pad shows where its point is."""
+    if axis.point is None:
+        return axis
+    goal = standing_mix(axis.point.goal)
+    return called(axis, _heaviest(goal), seconds, DEFAULT_EASING, goal)
+
+
 def with_pace(axis: Axis, pace: float | None) -> Axis:
     """The axis with its call at a pace, 0..1 of the show's time; None: with the show, whatever pauses."""
     call = axis.call
@@ -194,7 +240,9 @@ def repaced(axis: Axis, pace: float) -> Axis:
 
 
 def goal_of(axis: Axis) -> Weights:
-    """The mix that an axis comes to, by its call or its T-bar, or stands at."""
+    """The mix that an axis comes to, by its call, its T-bar or the pad that plays it, or stands at."""
+    if axis.point is not None:
+        return axis.point.goal
     return weights(axis) if axis.call is None else _goal(axis.call)
 
 
@@ -235,7 +283,9 @@ def released(axis: Axis) -> Axis:
 
 
 def advanced(axis: Axis, dt: float) -> Axis:
-    """The axis `dt` seconds later; a call that has arrived leaves its target alone on air."""
+    """The axis `dt` seconds later; a call that has arrived leaves its target alone on air, or the pad that plays."""
+    if axis.point is not None:
+        axis = _follow(axis, point_after(axis.point, dt))
     if axis.call is None:
         return axis
     since = None if axis.call.since is None else axis.call.since + dt
@@ -245,8 +295,22 @@ def advanced(axis: Axis, dt: float) -> Axis:
     call = with_fields(axis.call, elapsed=axis.call.elapsed + dt, way=way, since=since)
     if not _has_arrived(call):
         return with_fields(axis, call=call)
-    stands = call.goal if call.goal is not None and len(call.goal) > 1 else None
-    return replace(axis, on_air=call.target, call=None, stands=stands)
+    goal = _goal(call)
+    return _standing(axis, goal, call.target if axis.point is None else _heaviest(goal))
+
+
+def _follow(axis: Axis, point: PadPoint) -> Axis:
+    """The axis with the point of its pad farther: what is called, or stands, goes with that."""
+    if point is axis.point:
+        return axis
+    if axis.call is None:
+        return _standing(with_fields(axis, point=point), point.second, _heaviest(point.second))
+    return with_fields(axis, point=point, call=with_fields(axis.call, goal=point.second))
+
+
+def _standing(axis: Axis, mix: Weights, name: str) -> Axis:
+    """The axis that shows a mix, in which a name weighs most."""
+    return with_fields(axis, on_air=name, call=None, stands=mix if len(mix) > 1 else None)
 
 
 def status(axis: Axis) -> CallStatus | None:
@@ -336,4 +400,5 @@ def advance_regions(regions: RegionAxes, face: Axis, dt: float) -> dict[PlayRegi
 
 
 def _shows_the_same(on: Axis, face: Axis) -> bool:
-    return on.call is None and face.call is None and weights(on) == weights(face)
+    stand = on.call is None and face.call is None and on.point == face.point
+    return stand and weights(on) == weights(face)

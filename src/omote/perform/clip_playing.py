@@ -10,7 +10,6 @@ import numpy as np
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.model.space.expression import Expression
-from omote.perform.called_mix import CalledMix
 from omote.perform.clips.clip import Clip
 from omote.perform.clips.clip_runs import (
     MOST_RUNS,
@@ -28,6 +27,7 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
 from omote.perform.layers.source_frame import CLIP, SourceFrame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.mix import HIGHEST, LOWEST
+from omote.perform.pad_playing import PadPlaying
 
 NO_CLIPS: Mapping[int, Clip] = {}
 
@@ -105,7 +105,7 @@ def _mix(values: Values, names: Mapping[int, str]) -> dict[str, float]:
     return {name: mix[name] for name in sorted(mix) if mix[name]}
 
 
-class ClipPlaying(CalledMix):
+class ClipPlaying(PadPlaying):
     """Plays clips over all that moves a character but hands."""
 
     _clips: Mapping[int, Clip] = NO_CLIPS

@@ -293,6 +293,15 @@ class ClipStatus:
 
 
 @dataclass(frozen=True)
+class PadStatus:
+    """The point of a pad on a character. place: where it is, or was when another took over; plays: whether what shows
+    follows it."""
+
+    place: tuple[float, ...]
+    plays: bool
+
+
+@dataclass(frozen=True)
 class Frame:
     """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
@@ -302,7 +311,8 @@ class Frame:
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
-    nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last.
+    nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `pads`:
+    those whose points have been moved since the last panic.
     """
 
     faces: Mapping[str, float]
@@ -328,6 +338,7 @@ class Frame:
     speech: SpeechStatus | None = None
     spoken: str = ""
     clips: tuple[ClipStatus, ...] = ()
+    pads: Mapping[str, PadStatus] = field(default_factory=dict)
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -604,6 +604,8 @@ class Performer(SpeechPlaying):
         frame = _frame(now)
         if now.clips:
             frame = with_fields(frame, clips=self._clip_statuses())
+        if now.pads:
+            frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
             frame = with_layers(
                 frame, self._layers, self._cast.expressions, self._held(), now.easing_to_rest, self._mixes
@@ -678,6 +680,7 @@ def _at_rest(now: Snapshot) -> Snapshot:
         else replace(set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)), lost=False),
         speaking=None,
         gestures=release_gestures(now.gestures),
+        pads={},
     )
 
 

@@ -28,6 +28,7 @@ from omote.perform.limits import (
 )
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
+from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
 
@@ -67,8 +68,9 @@ class Snapshot:
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
     while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
-    is said; `said` counts all that was, `spoken` is the key of what was said
-    to its end last. `gestures`: those that run. `clips`: those that play, the oldest first; `played` counts all.
+    is said; `said` counts all that was, `spoken` is the key of what was said to its end last. `gestures`: those that
+    run. `clips`: those that play, the oldest first; `played` counts all. `pads`: where the points of pads are that have
+    been moved.
     """
 
     face: Axis
@@ -91,6 +93,7 @@ class Snapshot:
     gestures: tuple[Gesture, ...] = ()
     clips: tuple[ClipRun, ...] = ()
     played: int = 0
+    pads: Mapping[str, PadPlace] = field(default_factory=dict)
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -129,6 +132,9 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_speaking(snapshot.speaking)
     check_gestures(snapshot.gestures)
     check_runs(snapshot.clips)
+    check_within(len(snapshot.pads), 0, MOST_PADS, "the number of pads that have been moved")
+    for name, place in snapshot.pads.items():
+        _check_point(name, place)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:
@@ -178,10 +184,11 @@ def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
 def axis_names(axis: Axis) -> frozenset[str]:
     """All names that an axis has on air, called or going."""
     call = axis.call
-    stands = axis.stands or ()
+    point = axis.point
+    stands = (axis.on_air, *(axis.stands or ()), *(() if point is None else (*point.goal, *point.first, *point.second)))
     if call is None:
-        return frozenset((axis.on_air, *stands))
-    return frozenset((axis.on_air, *stands, call.target, *call.start, *call.velocity, *(call.goal or ())))
+        return frozenset(stands)
+    return frozenset((*stands, call.target, *call.start, *call.velocity, *(call.goal or ())))
 
 
 def check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
@@ -195,6 +202,17 @@ def check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
         _check_mix(axis.stands, names, what)
     if axis.call is not None:
         _check_call(axis.call, names, what)
+    if axis.point is not None:
+        _check_point(axis.point.pad, axis.point.place)
+        for mix in (axis.point.goal, axis.point.first, axis.point.second):
+            _check_mix(mix, names, what)
+
+
+def _check_point(pad: str, place: PadPlace) -> None:
+    check_pad_name(pad)
+    check_within(len(place), 1, len(AXES), f"the number of dimensions of the pad {pad}")
+    for at in place:
+        check_within(at, *PLACE_RANGE, f"the place on the pad {pad}")
 
 
 def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:

@@ -169,6 +169,12 @@ class ClientMessage(Message, frozen=True):
             if names is not None and isinstance(typed, str):
                 check_known(typed, names, value.kind)
 
+    def parts_played(self, scene: Scene) -> tuple[str, ...]:
+        """The parts of a character or of the scene that it plays; none where it passes whoever holds what. scene: that
+        it is for."""
+        plays = () if self.plays is None else self.plays
+        return (plays,) if isinstance(plays, str) else plays
+
     def control(self, character: str) -> str:
         """The control of a character that a hand moves by it: the message's tag, and more where one tag has several."""
         return f"{character}/{tag_of(type(self))}"

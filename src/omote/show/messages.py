@@ -23,7 +23,9 @@ LINK_PATH = "/link"
 STATE_RATE = 60.0
 """States per second."""
 
-MODULES = tuple(import_module(f"{objects.__name__}.{module.name}") for module in pkgutil.iter_modules(objects.__path__))
+MODULES = tuple(
+    import_module(module.name) for module in pkgutil.walk_packages(objects.__path__, f"{objects.__name__}.")
+)
 """The nouns of a show; importing one declares it."""
 
 

@@ -17,15 +17,15 @@ Argument = float | int | str | bytes | bool | None
 ValueKind = Literal[
     "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
     "character", "text", "number", "switch", "seconds", "time", "press", "speech", "language", "gesture",
-    "cue",
+    "cue", "pad",
 ]  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Value:
     """A value of an address: what it is, its unit, its range where it is a number (both ends included), and what it is
-    where a message leaves it out. name: "" for the name of the field that it stands beside. An angle is in degrees here
-    and in radians in the command."""
+    where a message leaves it out. name: "" for the name of the field that it stands beside. optional: a message may
+    leave it out, and what it sets stays. An angle is in degrees here and in radians in the command."""
 
     kind: ValueKind = "number"
     low: float = 0.0
@@ -33,11 +33,12 @@ class Value:
     unit: str = ""
     default: float | str | None = None
     name: str = ""
+    optional: bool = False
 
     @property
     def may_be_left_out(self) -> bool:
         """Whether a message may end before it."""
-        return self.default is not None or self.kind in ("seconds", "time", "press")
+        return self.optional or self.default is not None or self.kind in ("seconds", "time", "press")
 
     def convert(self, value: Any) -> Any:
         """What the field of a command holds; ValueError, in the degrees that came, for an angle out of its range."""

@@ -56,6 +56,7 @@ class PreviewBus:
         elif shared != self._shared:
             scene = self._set_scene(follow(scene.snapshot(), air))
         self._shared = shared
+        scene.follow_pads(self._air())
         if scene.clips is not self._air().clips:
             scene.set_clips(self._air().clips)
         return scene

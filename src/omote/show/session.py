@@ -39,6 +39,7 @@ from omote.show.objects.stages import CastChanged, Crew
 from omote.show.objects.state import State
 from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
+from omote.show.pad_list import PadListing, list_pads
 from omote.show.preview_bus import PreviewBus
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
@@ -134,6 +135,7 @@ class ShowSession:
             self._note_clips,
             lambda said: self.lost.append(said),
         )
+        self._pads = PadListing(self.scene.pads, cast)
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
@@ -161,7 +163,7 @@ class ShowSession:
 
     def _own(self, snapshot: LeaseSnapshot | None) -> None:
         """Begins with one table of who holds, wants and moves what; snapshot: the leases of before."""
-        self.leasing = Leasing(self.members, snapshot, lambda: self.scene.labels)
+        self.leasing = Leasing(self.members, snapshot, lambda: self.scene)
         self._hands = HandReports(self.leasing.table)
 
     def snapshot(self) -> SessionSnapshot:
@@ -461,6 +463,8 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
+        pads = self._pads.news(self.scene.pads, self.cast, now)
+        self._told += [] if pads is None else self.for_consoles(pads)
         work = self.clips.news()
         told = [] if work is None else self.for_consoles(work)
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
@@ -521,6 +525,8 @@ class ShowSession:
             lists.append(Outgoing(who, self.clips.work))
         if hello.role == "console" and self.named_sounds.sounds:
             lists.append(Outgoing(who, self.named_sounds.message()))
+        if hello.role == "console" and self.scene.pads:
+            lists.append(Outgoing(who, list_pads(self.scene.pads, self.cast)))
         return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:

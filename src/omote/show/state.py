@@ -26,6 +26,7 @@ from omote.show.objects.state import (
     LayerSource,
     LayerState,
     MotionState,
+    PadPointState,
     Place,
     SpeechState,
     State,
@@ -161,6 +162,7 @@ def character_state(
         leaves=character.leaves,
         regions={region: dict(mix) for region, mix in frame.regions.items()},
         region_calls={region: call_state_of(status) for region, status in frame.region_calls.items()},
+        pads={name: PadPointState(list(point.place), point.plays) for name, point in frame.pads.items()},
     )
 
 

@@ -4,6 +4,8 @@ from typing import get_args
 
 import pytest
 
+from omote.model.cast import Cast
+from omote.perform.scene.scene import Scene
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import Panic
 from omote.show.objects.characters import RemoveCharacter
@@ -28,12 +30,13 @@ def test_every_message_of_a_client_plays_a_part_or_passes_whoever_holds_what() -
     assert played | {*REGION_PARTS} == {*CHARACTER_PARTS, *SCENE_PARTS, "*"}
 
 
-def test_a_message_plays_its_part_of_each_of_its_characters_or_of_the_scene() -> None:
-    assert keys_played(SetHead("*", 0.0, 0.0, 0.0), ["one", "two"]) == ("one/head", "two/head")
-    assert keys_played(CallLight("a", "flat", 1.0, "smooth"), []) == ("*/light",)
-    assert keys_played(CallBlack(1.0), ["one"]) == ("*/black",)
-    assert keys_played(Panic("one"), ["one"]) == ()
-    assert {*keys_played(RemoveCharacter("a", "one"), ["one"])} == {f"one/{part}" for part in CHARACTER_PARTS}
+def test_a_message_plays_its_part_of_each_of_its_characters_or_of_the_scene(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    assert keys_played(SetHead("*", 0.0, 0.0, 0.0), ["one", "two"], scene) == ("one/head", "two/head")
+    assert keys_played(CallLight("a", "flat", 1.0, "smooth"), [], scene) == ("*/light",)
+    assert keys_played(CallBlack(1.0), ["one"], scene) == ("*/black",)
+    assert keys_played(Panic("one"), ["one"], scene) == ()
+    assert {*keys_played(RemoveCharacter("a", "one"), ["one"], scene)} == {f"one/{part}" for part in CHARACTER_PARTS}
 
 
 def test_all_parts_of_all_are_those_of_the_scene_too() -> None:

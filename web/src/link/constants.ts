@@ -1,5 +1,11 @@
 // Written by tools/messages.py from the Python tables that it imports. Do not edit: run `python tools/messages.py`.
 
+/** Pads of a show. */
+export const MOST_PADS = 32;
+/** Looks of a pad. */
+export const MOST_LOOKS = 12;
+/** Between the places of two looks of a pad, which go from -1 to 1. */
+export const LEAST_APART = 0.06;
 /** The name of the first character of a new show. */
 export const FIRST_CHARACTER = "one";
 /** In the place of a character: all of them; a framing: of all that are on the stage. */

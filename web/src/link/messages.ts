@@ -715,6 +715,70 @@ export type SetGazePoint = { type: "set_gaze_point"; id: string; name: string; x
 /** Forgets a gaze point; who looked at it looks ahead. */
 export type DeleteGazePoint = { type: "delete_gaze_point"; id: string; name: string };
 
+/**
+ * Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12 `looks` at
+ * places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One of its name
+ * makes way, and what that plays follows the new one without a jump. It is kept with the show. `restore_pad` with the
+ * `key` (the name without one) takes it back; with a key several changes, one after the other, together. An `id`
+ * executes once, as of those below.
+ */
+export type SetPad = {
+  type: "set_pad";
+  id: string;
+  name: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  dimensions: number;
+  looks: PadLook[];
+  key?: string;
+};
+
+/** Gives a pad another name (`to`); what it plays it plays on. Cues that move it call it by its old name. */
+export type RenamePad = { type: "rename_pad"; id: string; name: string; to: string; key?: string };
+
+/** Keeps a copy of a pad under another name (`to`). */
+export type CopyPad = { type: "copy_pad"; id: string; name: string; to: string; key?: string };
+
+/** Forgets a pad; what it shows stays on air. */
+export type DropPad = { type: "drop_pad"; id: string; name: string; key?: string };
+
+/**
+ * Keeps the pads that come with the cast, as a new show has them; pads of the same names make way. Without a `key`
+ * `restore_pad` finds those before by `cast pads`.
+ */
+export type AddCastPads = { type: "add_cast_pads"; id: string; key?: string };
+
+/** Takes the change of pads back that was made under this `key`; asked again, it is as after that. */
+export type RestorePad = { type: "restore_pad"; id: string; key: string };
+
+/** A pad, as of `set_pad`. `missing`: the names of its looks that the cast does not have; they count as neutral. */
+export type PadState = {
+  name: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  dimensions: number;
+  looks: PadLook[];
+  missing: string[];
+};
+
+/**
+ * The pads of the show, in the order in which they came: complete, to consoles after the welcome and with each
+ * change, ten times a second at most. Where the points of a character are stands in its state.
+ */
+export type PadList = { type: "pad_list"; pads: PadState[] };
+
+/**
+ * Moves the point of a pad on a character, -1..1 for each of its dimensions; `None` leaves one where it is. What
+ * the pad plays shows the mixture of its looks there, from whatever shows, without a jump. It needs all parts that the
+ * pad plays.
+ */
+export type MovePad = {
+  type: "move_pad";
+  character: string;
+  name: string;
+  x?: number | null;
+  y?: number | null;
+  z?: number | null;
+};
+
 /** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
 export type KeepFace = { type: "keep_face"; character: string; id: string };
 
@@ -1509,6 +1573,12 @@ export type ClipState = {
 };
 
 /**
+ * The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
+ * nothing else has taken over since.
+ */
+export type PadPointState = { place: number[]; plays: boolean };
+
+/**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
  * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
@@ -1519,6 +1589,7 @@ export type ClipState = {
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
+ * `pads`: where the points of pads are, by name, of those that have been moved since the last panic.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1548,6 +1619,7 @@ export type CharacterState = {
   speech: SpeechState | null;
   spoken: string;
   clips: ClipState[];
+  pads: Record<string, PadPointState>;
 };
 
 /**
@@ -1894,6 +1966,13 @@ export type FromClient =
   | SetGaze
   | SetGazePoint
   | DeleteGazePoint
+  | SetPad
+  | RenamePad
+  | CopyPad
+  | DropPad
+  | AddCastPads
+  | RestorePad
+  | MovePad
   | KeepFace
   | KeepExpression
   | RenameItem
@@ -1956,6 +2035,7 @@ export type FromServer =
   | InputLog
   | DeviceBytes
   | Hands
+  | PadList
   | Kept
   | ItemChanged
   | Layouts
@@ -2011,4 +2091,12 @@ export type Cue = {
   goes_on: "" | "continue" | "follow";
   skip: boolean;
   actions: CueAction[];
+};
+
+/** What a pad shows at one place. */
+
+export type PadLook = {
+  label: string;
+  mix: Record<string, number>;
+  place: number[];
 };

@@ -269,13 +269,14 @@ class Bindings:
     def _send(self, index: int, value: float, now: tuple[Argument, ...], number: int) -> list[OscMessage]:
         """The message that moves one axis of a target and leaves its others where they are now."""
         target = self.bindings[index].target
-        count = len(target.values)
         axis = target.axis
+        needed = sum(not each.may_be_left_out for each in target.values)
+        count = max(needed, axis + 1, len(now) if needed < len(target.values) else 0)
         if target.values[axis].kind == "switch":
             value = float(value >= PRESSED)
         values: tuple[Argument, ...] = (value,)
         if count > 1:
-            others = now if len(now) == count else (0.0,) * count
+            others = now if len(now) == count else (*now, *(0.0,) * count)[:count] if needed < count else (0.0,) * count
             values = (*others[:axis], value, *others[axis + 1 :])
         self._sent[target.path] = number, values
         self._played[index].sent = value

@@ -2,7 +2,7 @@
 
 A part is `kaori/face`, or `*/light` of the scene. A goal of it is a mix (`{"joy": 1.0}`) or numbers that it stands at
 (`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`); of `look` what eyes look at (`look_goals.py`), of `clip` which and how it
-plays (`clip_goals.py`).
+plays (`clip_goals.py`). Where a pad plays a mix, a goal is the place of its point (`pad_goals.py`).
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from omote.perform.scene.character_names import ALL
 from omote.perform.scene.clip_goals import clip_of_goal, goal_of_clip
 from omote.perform.scene.look_goals import AHEAD, goal_of_target, target_of_goal
 from omote.perform.scene.movement import Ranges
+from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal, point_of_goal
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.perform.snapshot import ROUNDING
 
@@ -131,6 +132,8 @@ def check_goal(part: Part, goal: Goal) -> Goal:
         return WITH_FACE
     if passes(part):
         return goal_of_clip(clip_of_goal(goal))
+    if is_pad_goal(part, goal):
+        return goal_of_point(*point_of_goal(goal))
     mix = {name: check_within(weight, LOWEST, HIGHEST, f"{name} of {part}") for name, weight in goal.items()}
     if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
         raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")

@@ -13,6 +13,7 @@ from omote.perform.frame import Frame, with_fields
 from omote.perform.lights import FIRST_LIGHT, check_light
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
 from omote.perform.motion.sight import Point
+from omote.perform.pads.kept_pads import NO_PADS
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.character_names import (
@@ -38,7 +39,7 @@ from omote.perform.scene.memories import NO_MEMORIES
 from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal
 from omote.perform.scene.scene_character import SceneCharacter
 from omote.perform.scene.scene_frame import PLACE_LIMITS, CharacterFrame, Place, SceneFrame, free_place
-from omote.perform.scene.scene_memories import SceneMemories
+from omote.perform.scene.scene_pads import ScenePads
 from omote.perform.scene.scene_snapshot import (
     CharacterSnapshot,
     Removal,
@@ -54,7 +55,7 @@ FIRST_LABEL = "One"
 AWAY = movement.Movement({"presence": 0.0})
 
 
-class Scene(SceneMemories):
+class Scene(ScenePads):
     """Characters on one stage: each is a performer with a place; light, framing and black are the scene's.
 
     It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
@@ -99,6 +100,7 @@ class Scene(SceneMemories):
         self._framing = Axis(ALL)
         self._black = movement.Movement({"black": 0.0})
         self._memories = NO_MEMORIES
+        self._pads = NO_PADS
         self._clips = {}
         self._time = 0.0
 
@@ -122,6 +124,7 @@ class Scene(SceneMemories):
         ['one']
         """
         scene = cls(cast)
+        scene.add_cast_pads()
         scene.add(FIRST_CHARACTER, label=FIRST_LABEL)
         scene.enter(FIRST_CHARACTER, seconds=0.0)
         return scene
@@ -163,12 +166,14 @@ class Scene(SceneMemories):
         scene._framing = snapshot.framing
         scene._black = snapshot.black
         scene._memories = snapshot.memories
+        scene._pads = snapshot.pads
         scene._time = snapshot.time
         scene._removals = dict(snapshot.removals)
         scene._gaze_points = dict(snapshot.gaze_points)
         scene._cameras = dict(snapshot.cameras)
         for name, character in snapshot.characters.items():
             restored = SceneCharacter.of(cast, character.performer, scene.call_light, scene._check_target)
+            restored.wear_pads(snapshot.pads.kept)
             restored.turning = character.turning
             scene._characters[name] = restored
             scene._standings[name] = character.standing
@@ -192,8 +197,8 @@ class Scene(SceneMemories):
             name: CharacterSnapshot(character.snapshot(), standings[name], character.turning)
             for name, character in self._characters.items()
         }
-        kept = (dict(self._removals), self._gaze_points, self._cameras)
-        return SceneSnapshot(characters, self._light, self._framing, self._time, *kept, self._black, self._memories)
+        kept = (dict(self._removals), self._gaze_points, self._cameras, self._black, self._memories, self._pads)
+        return SceneSnapshot(characters, self._light, self._framing, self._time, *kept)
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -218,6 +223,7 @@ class Scene(SceneMemories):
             check_snapshot(character.snapshot(), cast)
         for character in self._characters.values():
             character.recast(cast)
+            character.wear_pads(self._pads.kept)
         self._cast = cast
 
     @property
@@ -289,6 +295,7 @@ class Scene(SceneMemories):
         check_known(face, self._cast.faces, "face")
         place = free_place(Place(**standing.place.goal) for standing in self._standings.values())
         self._characters[name] = SceneCharacter.new(self._cast, face, self._time, self.call_light, self._check_target)
+        self._characters[name].wear_pads(self._pads.kept)
         self._standings[name] = Standing(label, movement.Movement(vars(place)), AWAY)
         return self._characters[name]
 
@@ -376,6 +383,7 @@ class Scene(SceneMemories):
         snapshot = check_snapshot(replace(kept.performer, time=self._time), self._cast)
         character = SceneCharacter.of(self._cast, snapshot, self.call_light, self._check_target)
         character.find_clips(self._clips)
+        character.wear_pads(self._pads.kept)
         self._characters = insert_at_rank(self._characters, name, character, removal.before)
         self._standings = insert_at_rank(self._standings, name, kept.standing, removal.before)
 

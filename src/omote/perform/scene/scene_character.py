@@ -22,8 +22,10 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
-from omote.perform.mix import Weights
+from omote.perform.limits import check_known
 from omote.perform.motion.sight import NOTHING, Sight
+from omote.perform.pads.blend_space import AXES, PLACE_RANGE, Pad, PadPlace
+from omote.perform.pads.pad_point import TAKE_UP_SECONDS, PadPoint
 from omote.perform.panic import eased, without_channels, without_turn
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
@@ -39,8 +41,9 @@ from omote.perform.scene.goals import (
     is_setting,
 )
 from omote.perform.scene.look_goals import goal_of_target, target_of_goal
-from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, Turning, turn_at
+from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, PAD_WAY, Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
+from omote.perform.scene.pad_goals import check_point_fits, goal_of_point, is_pad_goal, point_of_goal
 from omote.perform.snapshot import Playable, Snapshot
 
 
@@ -131,21 +134,35 @@ class SceneCharacter(Performer):
         return NOTHING if target.kind == "ahead" else self.sight
 
     def goal_of(self, name: str) -> Goal:
-        """Where a part goes, or stands: a mix, or numbers; nothing for a region that goes with the whole face.
+        """Where a part goes, or stands: a mix, the point of a pad, or numbers; nothing for a region that goes with the
+        whole face.
 
         name: of a part that is the character's own, without place and presence.
         """
-        return self._goal_of(name, goal_of, self._way_of)
 
-    def shown_goal(self, name: str) -> Goal:
-        """What a part shows now, as a goal that brings it back. name: as of `goal_of`."""
-        return self._goal_of(
-            name, lambda on: standing_mix(weights(on)), lambda part: vars(getattr(self._turned_by_hands(), part))
-        )
+        def going(on: Axis) -> Goal:
+            return goal_of(on) if on.point is None else goal_of_point(on.point.pad, self._place_of(on.point))
+
+        return self._goal_of(name, going, self._way_of)
+
+    def shown_goal(self, name: str, *, points: bool = True) -> Goal:
+        """What a part shows now, as a goal that brings it back. name: as of `goal_of`; points: where a pad plays it,
+        its point; else the mix that it shows."""
+
+        def showing(on: Axis) -> Goal:
+            if points and on.point is not None:
+                return goal_of_point(on.point.pad, on.point.place)
+            return standing_mix(weights(on))
+
+        return self._goal_of(name, showing, lambda part: vars(getattr(self._turned_by_hands(), part)))
 
     def check_call(self, part: str, goal: Goal) -> None:
         """Raises ValueError for a name of a goal that the cast has not. part: with the character's name."""
-        if part.endswith("/face"):
+        if is_pad_goal(part, goal):
+            pad, place = point_of_goal(goal)
+            check_known(pad, self._pads, "pad")
+            check_point_fits(self._pads[pad], part.rpartition("/")[2], place)
+        elif part.endswith("/face"):
             check_names(goal, self._cast.faces, "face")
         elif part.endswith("/expression") or expression_of(part):
             check_names(goal, self._cast.expressions, "expression")
@@ -156,19 +173,25 @@ class SceneCharacter(Performer):
     def call_goal(self, name: str, goal: Goal, seconds: float, easing: str, pace: float | None = None) -> None:
         """Brings a part to a goal from whatever shows. name: as of `goal_of`; goal: checked; seconds: 0 cuts; easing:
         the curve of the way; pace: as of `Scene.call_goal`. A clip is stopped: the scene knows which it can play."""
-        now = self._now
         if name == "clip":
             self.stop_clip(seconds=seconds)
-            return
+        elif is_pad_goal(name, goal):
+            self._call_point(*point_of_goal(goal), seconds, easing, pace)
+        elif name in TURN_LIMITS:
+            self._turn_to(name, goal, seconds, easing, pace)
+        elif is_setting(name):
+            self._set(name, goal)
+        else:
+            self._call_mix(name, goal, seconds, easing, pace)
+
+    def _call_mix(self, name: str, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
+        """Brings the faces, the expression or a region of it to a mix. name: which; all else as of `call_goal`."""
+        now = self._now
 
         def call(on: Axis) -> Axis:
             return with_pace(called_to_mix(on, goal or goal_of(now.expression), seconds, easing), pace)
 
-        if name in TURN_LIMITS:
-            self._turn_to(name, goal, seconds, easing, pace)
-        elif is_setting(name):
-            self._set(name, goal)
-        elif name == "face":
+        if name == "face":
             self._play(face=call(now.face))
         elif name == "expression":
             self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
@@ -177,7 +200,7 @@ class SceneCharacter(Performer):
             if goal or region in now.regions:  # else it goes with the face already
                 self._play(regions={**now.regions, region: call(now.regions.get(region, now.expression))})
 
-    def _goal_of(self, name: str, mix: Callable[[Axis], Weights], turned: Callable[[str], Mapping[str, float]]) -> Goal:
+    def _goal_of(self, name: str, mix: Callable[[Axis], Goal], turned: Callable[[str], Mapping[str, float]]) -> Goal:
         now = self._now
         if name in TURN_LIMITS:
             return dict(turned(name))
@@ -187,8 +210,46 @@ class SceneCharacter(Performer):
             return self._clip_goal()
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
-            return WITH_FACE if own is None else dict(mix(own))
+            return WITH_FACE if own is None or _same_pad(own, now.expression) else dict(mix(own))
         return dict(mix(now.face if name == "face" else now.expression))
+
+    def _call_point(self, name: str, place: PadPlace, seconds: float, easing: str, pace: float | None) -> None:
+        """Moves the point of a pad (by its name) to a place of it, as a cue does: on its way there where the pad plays
+        already, else what shows makes way for it in that time."""
+        pad = self._pads[name]
+        under_way = {} if self.turning is None else self._ways(self.turning)
+        key = f"{PAD_WAY}{name}"
+        ways = {part: way for part, way in under_way.items() if part != key}
+        if seconds and self._plays(name):
+            before = under_way.get(key, Movement(_numbers(self._now.pads[name])))
+            way = redirect(before, _numbers(place), seconds, dict.fromkeys(_numbers(place), PLACE_RANGE), easing)
+            here = self._now.pads[name]
+            self._play(**self._moved(pad, here, seconds, easing, pace, along=True))
+            self._set_turns({**ways, key: movement.with_pace(way, pace)}, self._now.panics)
+            return
+        self._play(**self._moved(pad, place, seconds, easing, pace, along=True))
+
+    def _plays(self, pad: str) -> bool:
+        """Whether a pad plays anything of the character."""
+        axes = (self._now.face, self._now.expression, *self._now.regions.values())
+        return any(on.point is not None and on.point.pad == pad for on in axes)
+
+    def _place_of(self, point: PadPoint) -> PadPlace:
+        """Where the point of a pad goes, or is."""
+        way = None if self.turning is None else self._ways(self.turning).get(f"{PAD_WAY}{point.pad}")
+        return point.place if way is None else tuple(way.goal.values())
+
+    def wear_pads(self, pads: Mapping[str, Pad], renamed: Mapping[str, str] | None = None) -> None:
+        """Goes on with other pads, as of `Performer.wear_pads`; a point on its way goes on under its pad's new name.
+
+        pads: all that there are, by name; renamed: what pads were called before, with what they are called now.
+        """
+        under_way = {} if self.turning is None else self._ways(self.turning)
+        super().wear_pads(pads, renamed)
+        if self.turning is not None:
+            names = {f"{PAD_WAY}{before}": f"{PAD_WAY}{name}" for before, name in (renamed or {}).items()}
+            ways = {names.get(part, part): way for part, way in under_way.items()}
+            self.turning = replace(self.turning, ways=ways) if ways else None
 
     def _clip_goal(self) -> Goal:
         """What plays the newest clip again as it was called; nothing where none plays, or it is stopped already."""
@@ -241,7 +302,14 @@ class SceneCharacter(Performer):
         """The ways that no hand and no panic has ended since."""
         if turning.panics != self._now.panics:
             return {}
-        return {part: way for part, way in turning.ways.items() if getattr(self._now, part) == turn_at(part, way)}
+        return {part: way for part, way in turning.ways.items() if self._stands_at(part) == turn_at(part, way)}
+
+    def _stands_at(self, part: str) -> object:
+        """Where something is that may be on a way; None for a pad that plays nothing."""
+        if not part.startswith(PAD_WAY):
+            return getattr(self._now, part)
+        name = part.removeprefix(PAD_WAY)
+        return self._now.pads.get(name) if self._plays(name) else None
 
     def set_pace(self, pace: float) -> None:
         """Lets the time of all that was called with a pace go at another, 0 to 1 of the show's."""
@@ -285,13 +353,27 @@ class SceneCharacter(Performer):
         self._set_turns(ways, self._now.panics)
 
     def _set_turns(self, ways: Mapping[str, Movement], panics: int) -> None:
-        self._now = with_fields(self._now, **{part: turn_at(part, way) for part, way in ways.items()})
+        at = {part: turn_at(part, way) for part, way in ways.items()}
+        self._now = with_fields(self._now, **{part: turn for part, turn in at.items() if not isinstance(turn, tuple)})
+        for part, place in at.items():
+            if isinstance(place, tuple):
+                pad = self._pads[part.removeprefix(PAD_WAY)]
+                self._now = with_fields(self._now, **self._moved(pad, place, TAKE_UP_SECONDS))
         on = {part: way for part, way in ways.items() if way.way is not None}
         self.turning = Turning(on, panics) if on else None
 
     def note_played(self) -> None:
         """Notes that an operator did something for the whole scene: the next panic is a first one again."""
         self._play()
+
+
+def _numbers(place: PadPlace) -> dict[str, float]:
+    return dict(zip(AXES, place, strict=False))
+
+
+def _same_pad(region: Axis, whole: Axis) -> bool:
+    """Whether a region is on its way to what the pad of the whole face shows."""
+    return region.point is not None and whole.point is not None and region.point.pad == whole.point.pad
 
 
 def _widened(way: Movement | None, shown: Mapping[str, float], names: Iterable[str]) -> Movement:

@@ -102,6 +102,10 @@ class SceneGoals(SceneClips):
         >>> scene.shown_goal("*/black")
         {'black': 0.5}
         """
+        return self._showing(part)
+
+    def _showing(self, part: Part, *, points: bool = True) -> Goal:
+        """As `shown_goal`. points: where a pad plays, its point; else the mix that it shows."""
         character, name = split_part(part)
         if name == "black":
             return movement.values(self._black, BLACK_LIMITS)
@@ -110,7 +114,7 @@ class SceneGoals(SceneClips):
         standing = self._standing(character)
         if name in STANDING:
             return movement.values(getattr(standing, name), STANDING[name])
-        return self._characters[character].shown_goal(name)
+        return self._characters[character].shown_goal(name, points=points)
 
     def _check_call(self, part: Part, goal: Goal) -> Goal:
         """Returns a goal that can be called now; ValueError, TypeError where a name or a number of it is none.

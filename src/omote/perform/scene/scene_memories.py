@@ -76,7 +76,7 @@ class SceneMemories(SceneGoals):
         parts = [
             f"{other}/{part}" for other in seen._characters if not seen._standings[other].leaves for part in REMEMBERED
         ]
-        goals = {part: seen.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
+        goals = {part: seen._showing(part, points=False) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
         memory = Memory({part: goal for part, goal in goals.items() if goal != WITH_FACE})
         self._memories = with_memory(self._memories, name, memory, key or name)
 

@@ -10,6 +10,7 @@ from omote.perform.axis import Axis
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.motion.sight import Point
+from omote.perform.pads.kept_pads import NO_PADS, Pads, check_pads
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
 from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
@@ -70,8 +71,8 @@ class SceneSnapshot:
     """The state of a scene: plain values, so msgspec writes and reads it exactly. `time`: of all performers too.
 
     `removals`: by their keys, oldest first. `gaze_points`, `cameras`: points that eyes may look at, by name, and where
-    stages' cameras are, metres. `black`: how far the picture is faded to black; `memories`: the looks that were kept.
-    Older snapshots have neither.
+    stages' cameras are, metres. `black`: how far the picture is faded to black; `memories`: the looks that were kept;
+    `pads`: the blend spaces. Older snapshots have none of these.
     """
 
     characters: Mapping[str, CharacterSnapshot] = field(default_factory=dict)
@@ -83,6 +84,7 @@ class SceneSnapshot:
     cameras: Mapping[str, Point] = field(default_factory=dict)
     black: Movement = field(default_factory=lambda: Movement({"black": 0.0}))
     memories: Memories = NO_MEMORIES
+    pads: Pads = NO_PADS
 
 
 def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
@@ -105,6 +107,7 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
     check_movement(snapshot.black, BLACK_LIMITS, "the fade of the picture:")
     check_removals(snapshot)
     check_memories(snapshot.memories)
+    check_pads(snapshot.pads)
     check_within(len(snapshot.gaze_points), 0, MOST_POINTS, "the number of gaze points")
     for name, point in (*snapshot.gaze_points.items(), *snapshot.cameras.items()):
         check_point(*point, f"the point {name!r:.80}")

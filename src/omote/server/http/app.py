@@ -15,6 +15,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
+from omote.perform.snapshot import Playable
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
@@ -150,7 +151,17 @@ class ShowServer:
         """Adds the tree of OSC's addresses, for surfaces; port: where OSC is heard; allowed: the hosts that may play by
         it, and so may read the tree without a token."""
         self._surface_allowed = allowed
-        self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
+
+        def playing() -> tuple[Playable, State | None, tuple[str, ...], dict[str, int]]:
+            scene = self.session.scene
+            return (
+                self.session.cast,
+                self._state,
+                tuple(scene),
+                {name: pad.dimensions for name, pad in scene.pads.items()},
+            )
+
+        self.oscquery = OscQuery(playing, port)
 
     def enable_sender(self, path: str, respond: Respond, links: Links) -> None:
         """Adds links by which trackers, cameras or microphones send. path: their address; respond: answers there;

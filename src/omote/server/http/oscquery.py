@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 import msgspec
@@ -15,7 +15,7 @@ from omote.show.objects.state import State
 from omote.show.osc import ROOT
 
 Page = Callable[[web.Request], Awaitable[web.Response]]
-Playing = Callable[[], tuple[Playable, State | None, tuple[str, ...]]]
+Playing = Callable[[], tuple[Playable, State | None, tuple[str, ...], Mapping[str, int]]]
 NAME = "Omote"
 PEOPLE = "curl/", "wget/", "httpie/"
 """How programs begin their name with which people look what there is."""
@@ -26,12 +26,13 @@ TOLD_PERSON = (
 
 
 class OscQuery:
-    """The tree over HTTP. on_air: gives the cast, the newest state, and the names of the characters; port: of OSC."""
+    """The tree over HTTP. on_air: gives the cast, the newest state, the names of the characters and the dimensions of
+    pads; port: of OSC."""
 
     def __init__(self, on_air: Playing, port: int) -> None:
         self._on_air = on_air
         self._port = port
-        self._addresses: tuple[Playable, tuple[str, ...], Node] | None = None
+        self._addresses: tuple[Playable, object, Node] | None = None
 
     def add_routes(self, application: web.Application, index: Page) -> None:
         """Adds the root, which stays a page for browsers, and all that is below the root of OSC.
@@ -57,8 +58,8 @@ class OscQuery:
             return _json(host_info(NAME, self._port))
         if asked and asked not in ATTRIBUTES:
             raise web.HTTPBadRequest(text=f"there is no attribute {asked[:80]}; there are {', '.join(ATTRIBUTES)}.")
-        cast, state, characters = self._on_air()
-        node = find_node(self._tree(cast, characters), request.path)
+        cast, state, characters, pads = self._on_air()
+        node = find_node(self._tree(cast, characters, pads), request.path)
         if node is None:
             raise web.HTTPNotFound(text=f"there is no address {request.path[:80]}; /{ROOT} lists them all.")
         node = node if state is None else with_values(node, AddressValues(state))
@@ -66,11 +67,11 @@ class OscQuery:
             return _json(node)
         return _json({asked: node[asked]}) if asked in node else web.Response(status=204)
 
-    def _tree(self, cast: Playable, characters: tuple[str, ...]) -> Node:
-        """The tree without values, made once for a cast and characters."""
+    def _tree(self, cast: Playable, characters: tuple[str, ...], pads: Mapping[str, int]) -> Node:
+        """The tree without values, made once for a cast, characters and pads."""
         kept = self._addresses
-        if kept is None or kept[0] is not cast or kept[1] != characters:
-            kept = self._addresses = cast, characters, build_addresses(cast, characters)
+        if kept is None or kept[0] is not cast or kept[1] != (characters, pads):
+            kept = self._addresses = cast, (characters, pads), build_addresses(cast, characters, pads)
         return kept[2]
 
 

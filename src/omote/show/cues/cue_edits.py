@@ -21,6 +21,7 @@ from omote.perform.scene.goals import (
     ranges_of,
     split_part,
 )
+from omote.perform.scene.pad_goals import is_pad_goal
 from omote.perform.scene.scene import Scene
 from omote.show.cues.cue_book import (
     CueBook,
@@ -245,6 +246,8 @@ def _rounded(part: Part, goal: Goal) -> Goal:
     """A goal with the numbers that its part stands at as a text shows them: a hand and a tracker give sixteen
     digits. One at the end of its range, which lies between two such numbers, stays."""
     ranges = ranges_of(part)
+    if is_pad_goal(part, goal):
+        return {name: round(value, DECIMALS) for name, value in goal.items()}
     if ranges is None:
         return goal
     rounded = {name: round(value, DECIMALS) for name, value in goal.items()}

@@ -14,6 +14,7 @@ from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.clip_goals import clip_of_goal
 from omote.perform.scene.goals import Part, passes, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
+from omote.perform.scene.pad_goals import is_pad_goal
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
 from omote.show.osc import PRESS, Argument, Osc, Value, osc
@@ -86,7 +87,7 @@ def _named_by(cue: Cue) -> Iterable[str]:
             yield from [looked] if (looked := name_in(dict(move.goal))) else []
         elif passes(part):
             yield from [clip_of_goal(move.goal).name] if move.goal else []
-        elif ranges_of(part) is None and name != "light":
+        elif ranges_of(part) is None and name != "light" and not is_pad_goal(part, move.goal):
             yield from move.goal
 
 

@@ -55,8 +55,8 @@ Kept = TypeVar("Kept", bound=Document)
 
 def declared_kinds() -> Mapping[str, type[Document]]:
     """Every kind of document, by its key."""
-    for module in pkgutil.iter_modules(objects.__path__):
-        importlib.import_module(f"{objects.__name__}.{module.name}")
+    for module in pkgutil.walk_packages(objects.__path__, f"{objects.__name__}."):
+        importlib.import_module(module.name)
     return KINDS
 
 

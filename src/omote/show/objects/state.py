@@ -131,6 +131,14 @@ class ClipState(msgspec.Struct, frozen=True):
     silent: str = ""
 
 
+class PadPointState(msgspec.Struct, frozen=True):
+    """The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
+    nothing else has taken over since."""
+
+    place: list[float]
+    plays: bool = True
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -143,6 +151,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
+    `pads`: where the points of pads are, by name, of those that have been moved since the last panic.
     """
 
     faces: dict[str, float]
@@ -172,6 +181,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     speech: SpeechState | None = None
     spoken: str = ""
     clips: list[ClipState] = []
+    pads: dict[str, PadPointState] = {}
 
 
 class State(ServerMessage, frozen=True):

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.goals import Part
+from omote.perform.scene.scene import Scene
 from omote.show.crew.members import Members
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.objects.leases import Lease, LeaseClaim, Leases, LeaseWish, ReleaseLease, SeatState
@@ -42,17 +43,15 @@ class LeaseSnapshot:
 
 
 class Leasing:
-    """Who may command what. members: who is connected; labels: what people call the characters now, by name."""
+    """Who may command what. members: who is connected; scene: the one on air, whichever the session has now."""
 
-    def __init__(
-        self, members: Members, snapshot: LeaseSnapshot | None = None, labels: Callable[[], Mapping[str, str]] = dict
-    ) -> None:
+    def __init__(self, members: Members, snapshot: LeaseSnapshot | None, scene: Callable[[], Scene]) -> None:
         before = snapshot or LeaseSnapshot()
         self.seats = Seats(before.seats)
         held = {key: seat for key, seat in before.held.items() if seat in self.seats}
         self.table = OwnershipTable(on=before.on, manager=before.manager, held=held)
         self._members = members
-        self._labels = labels
+        self._scene = scene
         self._looked = -AGAIN_SECONDS
         self._changed = True
         self._told: dict[str, tuple[Leases, float]] = {}
@@ -66,7 +65,7 @@ class Leasing:
     def check(self, who: str, message: ClientMessage, characters: Collection[str]) -> None:
         """Refuses a message of a client (who) that plays what another seat holds, by HeldByOthersRefusal. characters:
         whom it is for."""
-        keys = keys_played(message, characters) if self.table.on else ()
+        keys = keys_played(message, characters, self._scene()) if self.table.on else ()
         if keys:
             self._refuse_foreign(who, keys)
 
@@ -79,7 +78,7 @@ class Leasing:
     def note(self, who: str, message: ClientMessage, characters: Collection[str]) -> None:
         """Gives the sender of a message that was obeyed the free parts that it plays. characters: whom it is for. who:
         the sender."""
-        keys = keys_played(message, characters) if self.table.on and message.holds else ()
+        keys = keys_played(message, characters, self._scene()) if self.table.on and message.holds else ()
         if keys:
             self._give(who, keys)
 
@@ -238,7 +237,7 @@ class Leasing:
 
     def _explain(self, held: Mapping[str, str]) -> str:
         """`Ana holds the face of one: take it over, or ask for it to be released.`"""
-        labels = self._labels()
+        labels = self._scene().labels
         words = {key: describe_key(key, labels) for key in held}
         parts = {seat: [words[key] for key, holder in held.items() if holder == seat] for seat in held.values()}
         said = [f"{self.seats[seat].name} holds {', '.join(names)}" for seat, names in parts.items()]

@@ -9,6 +9,7 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, describe_character
 from omote.perform.scene.goals import SCENE_PARTS as PLAYED_PARTS
 from omote.perform.scene.goals import Part
+from omote.perform.scene.scene import Scene
 from omote.show.declaration import ClientMessage
 from omote.show.objects.leases import LeasePart
 
@@ -58,16 +59,13 @@ def keys_of(characters: Iterable[str], part: str, *, whole_scene: bool = False) 
     return (*keys, *scene) if part == ALL and whole_scene else keys
 
 
-def keys_played(message: ClientMessage, characters: Iterable[str]) -> tuple[str, ...]:
-    """The parts of some characters that a message plays; none where it passes whoever holds what."""
-    plays = message.plays
-    if plays is None:
-        return ()
-    region = getattr(message, "region", None)
-    if region in REGION_PARTS:
-        plays = region
+def keys_played(message: ClientMessage, characters: Iterable[str], scene: Scene) -> tuple[str, ...]:
+    """The parts of some characters of a scene that a message plays; none where it passes whoever holds what."""
     whom = tuple(characters)
-    parts = (plays,) if isinstance(plays, str) else plays
+    region = getattr(message, "region", None)
+    parts = message.parts_played(scene)
+    if parts and region in REGION_PARTS:
+        parts = (region,)
     return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))
 
 

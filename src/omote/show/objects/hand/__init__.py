@@ -1,0 +1,1 @@
+"""What a hand plays many things with at once: pads."""
