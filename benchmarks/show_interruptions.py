@@ -1,11 +1,16 @@
-"""Ten thousand random interruptions by all that calls: cues, clips, takes from preview, pauses, regions and faces.
+"""Ten thousand random interruptions by all that calls: cues, clips, takes, pauses, regions, faces, pads, macros.
 
 One character of a show's session on the built-in cast, played by its own messages: GO, Back, go to (whole too), assert,
 pause and go on; clips called, looped and stopped; takes of what was built up in preview; calls of faces, expressions
-and single regions; the head by cues. With `--panics` a panic is one of them. Each lasts 0.5-4 s (log-uniform) with the
-default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin 0.26 s after one another: sooner they
-are ignored). The peer plays the same messages at the same instants and forgets the velocity that a call takes over, as
-`interruptions.py` has it; it is looked at only around the interruptions, so its figure is at most too small.
+and single regions; the head by cues; points of the cast's pads, which cues move, and a hand, in strokes from rest to
+rest of at most 0.7 widths of a pad a second, until something else is called; a look of a pad is dragged a little while
+it plays; macros that cues move, whose mappings are redrawn meanwhile. With `--panics` a panic is one of them. Each
+lasts 0.5-4 s (log-uniform) with the default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin
+0.26 s after one another: sooner they are ignored). The peer plays the same messages at the same instants and forgets
+the velocity that a call takes over, as `interruptions.py` has it; it is looked at only around the interruptions, so its
+figure is at most too small.
+
+A hand that moves a point faster than that bends weights itself, whoever interrupts it: `pads.py` has the figures.
 
 Looked at 240 times a second, in every step:
 
@@ -28,11 +33,12 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
 import heapq
+import math
 import secrets
 import sys
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from unittest.mock import patch
 
@@ -47,15 +53,20 @@ from omote.perform import axis
 from omote.perform.blending import evaluate as evaluate_module
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.clips.cut_clip import record
+from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import Frame
 from omote.perform.mix import mix_in
 from omote.perform.scene import movement
+from omote.perform.scene.cast_pads import cast_pads
+from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, CallFace, Panic
 from omote.show.objects.clips import PlayClip, StopClip
 from omote.show.objects.cues import AssertLook, CuePlay, Go, GoBack, GoToCue, PauseCues, SetStandby
+from omote.show.objects.hand.macros import SetMapping
+from omote.show.objects.hand.pads import MovePad, SetPad
 from omote.show.objects.link import Hello
 from omote.show.objects.preview import Take
 from omote.show.session import ShowSession
@@ -63,6 +74,7 @@ from omote.show.session import ShowSession
 COUNT = 10_000
 BAR = 1 / 16
 WHO = "one"
+MACROS = ("m1", "m2")
 CUES = 40
 CLIPS = 4
 SOONEST_LATEST = 0.04, 0.2
@@ -85,9 +97,14 @@ def lasting(rng: np.random.Generator) -> float:
 
 def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips: list[str]) -> list[omote.Cue]:
     """Cues of one to four moves; a third of them wait, a fifth goes on by itself."""
+
+    def point(pad: str) -> dict[str, float]:
+        return goal_of_point(pad, (float(rng.uniform(-1, 1)), float(rng.uniform(-1, 1))))
+
     goals: dict[str, Callable[[], dict[str, float]]] = {
-        "face": lambda: {str(rng.choice(faces)): 1.0},
-        "expression": lambda: {str(rng.choice(worn)): 1.0},
+        "face": lambda: {str(rng.choice(faces)): 1.0} if rng.random() < 0.7 else point("faces"),
+        "expression": lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else point("moods"),
+        "macros": lambda: {name: float(rng.uniform(-1.0, 1.0)) for name in MACROS if rng.random() < 0.7},
         "head": lambda: {"yaw": float(rng.uniform(-0.6, 0.6)), "pitch": float(rng.uniform(-0.3, 0.3)), "roll": 0.0},
         "clip": lambda: {str(rng.choice(clips)): 1.0},
         **{region: lambda: {str(rng.choice(worn)): 1.0} if rng.random() < 0.7 else {} for region in PLAY_REGIONS},
@@ -95,13 +112,29 @@ def make_cues(rng: np.random.Generator, faces: list[str], worn: list[str], clips
     cues = []
     for number in range(CUES):
         parts = rng.choice(list(goals), int(rng.integers(1, 5)), replace=False)
-        moves = {
-            f"{WHO}/{part}": omote.Move(goals[str(part)](), lasting(rng), delay=float(rng.choice([0.0, 0.0, 0.4])))
-            for part in parts
-        }
+        moves = {}
+        for part in parts:
+            goal = goals[str(part)]()
+            seconds = lasting(rng) if not is_pad_goal(str(part), goal) else float(rng.uniform(*ACROSS))
+            moves[f"{WHO}/{part}"] = omote.Move(goal, seconds, delay=float(rng.choice([0.0, 0.0, 0.4])))
         follows = "continue" if rng.random() < 0.2 else ""
         cues.append(omote.Cue(f"c{number}", str(number + 1), moves, goes_on=follows, post_wait=0.5))  # type: ignore[arg-type]
     return cues
+
+
+def make_mappings(rng: np.random.Generator, units: list[str]) -> list[omote.MacroMapping]:
+    """What macros play: four channels and an angle each, by curves of four knots, one of them under a condition."""
+    mappings = []
+    for number, name in enumerate(MACROS):
+        curve = ((0.0, 0.0), *((at, float(rng.uniform(0.2, 0.8))) for at in (0.3, 0.7)), (1.0, 1.0))
+        targets = [
+            omote.MacroTarget(f"channel/{unit}", high=0.3, curve=curve, below=omote.HalfBelow(-0.2), rise=0.3, fall=0.6)
+            for unit in units[number::3][:4]
+        ]
+        angle = omote.MacroTarget(("head/yaw", "head/pitch")[number], high=0.2, below=omote.HalfBelow(-0.2), rise=0.3)
+        when = omote.MacroCondition("macro/m1", -0.5) if number else None
+        mappings.append(omote.MacroMapping(name, (*targets, angle), when))
+    return mappings
 
 
 def make_clip(cast: omote.Cast, rng: np.random.Generator, worn: list[str], units: list[str]) -> omote.Clip:
@@ -135,6 +168,8 @@ def make_session(cast: omote.Cast, seed: int) -> ShowSession:
     session = ShowSession(cast)
     session.receive("ana", Hello("console", PROTOCOL_VERSION, "ana"), 0.0)
     session.receive("eve", Hello("console", PROTOCOL_VERSION, "eve", bus="preview"), 0.0)
+    for mapping in make_mappings(rng, units):
+        session.receive("ana", SetMapping(WHO, mapping.name, mapping), 0.0)
     clips = {f"clip{number}": make_clip(cast, rng, worn, units) for number in range(CLIPS)}
     session.clips.load(clips)
     cues = make_cues(rng, list(cast.faces), worn, list(clips))
@@ -143,20 +178,66 @@ def make_session(cast: omote.Cast, seed: int) -> ShowSession:
     return session
 
 
+STROKE_PEAK = 1.875
+"""The highest speed of a stroke, of its length over its time: it goes the way of a quintic."""
+WIDTHS = 0.7
+"""Widths of a pad a second, at most."""
+ACROSS = 4.0, 6.0
+"""Seconds in which a cue moves a point, which may be across the whole pad: as slowly as the hand."""
+SHORTEST_STROKE = 0.2
+"""Seconds."""
+REDRAWN = 0.02
+"""By which what a macro gives at its end is changed at once, at most."""
+DRAGGED = 0.004
+"""By which a look is dragged at once, at most."""
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A hand's way on a pad from one place to another, in some seconds from a time on."""
+
+    pad: str
+    begin: tuple[float, float]
+    end: tuple[float, float]
+    since: float
+    seconds: float
+
+    def at(self, now: float) -> tuple[float, float]:
+        """Where it is."""
+        share = EASINGS[DEFAULT_EASING].value(min(1.0, (now - self.since) / self.seconds))
+        x, y = (start + (stop - start) * share for start, stop in zip(self.begin, self.end, strict=True))
+        return x, y
+
+
+def begin_stroke(session: ShowSession, message: ClientMessage, aim: tuple[float, float], now: float) -> Stroke | None:
+    """The way of a hand that takes up a pad by a message, from where its point stands; None where it takes up none."""
+    if not isinstance(message, MovePad):
+        return None
+    x, y = session.scene[WHO].snapshot().pads.get(message.name, (0.0, 0.0))
+    seconds = max(SHORTEST_STROKE, math.dist((x, y), aim) * STROKE_PEAK / (2.0 * WIDTHS))
+    return Stroke(message.name, (x, y), aim, now, seconds)
+
+
 # --- the log ----------------------------------------------------------------------------------------------------------
 
 
 class Log:
-    """Draws what happens. cast: whose faces and expressions; panics: whether some are."""
+    """Draws what happens. cast: whose faces and expressions; mappings: of macros; panics: whether some are."""
 
-    def __init__(self, cast: omote.Cast, rng: np.random.Generator, *, panics: bool) -> None:
+    def __init__(
+        self, cast: omote.Cast, rng: np.random.Generator, mappings: Mapping[str, omote.MacroMapping], *, panics: bool
+    ) -> None:
         self.rng = rng
         self.faces = list(cast.faces)
         self.worn = [name for name, title in cast.titles.items() if title.kind in ("neutral", "performed")]
         self.number = 0
+        self.aim = (0.0, 0.0)
+        self.pads = cast_pads(cast)
+        self.mappings = dict(mappings)
         self.kinds: list[Callable[[str], list[Act]]] = [
             self.go, self.go, self.go_back, self.go_to, self.hold, self.pause, self.pause, self.call, self.call,
             self.region, self.region, self.clip, self.clip, self.stop, self.take, self.take,
+            self.pad, self.pad, self.pad, self.drag, self.redraw,
         ]  # fmt: skip
         if panics:
             self.kinds.append(lambda identity: [("panic", "ana", Panic(WHO, identity))])
@@ -217,6 +298,31 @@ class Log:
         regions = self.region(f"r{identity}")[0][2]
         unseen: list[Act] = [("", "eve", self._called(f"u{identity}")), ("", "eve", regions)]
         return [*unseen, ("take", "ana", Take(identity, lasting(self.rng)))]
+
+    def pad(self, _: str) -> list[Act]:
+        """A hand begins to move the point of a pad, from where it stands."""
+        pad = str(self.rng.choice(list(self.pads)))
+        self.aim = (float(self.rng.uniform(-1.0, 1.0)), float(self.rng.uniform(-1.0, 1.0)))
+        return [("pad", "ana", MovePad(WHO, pad))]
+
+    def redraw(self, identity: str) -> list[Act]:
+        """A mapping is changed a little, wherever its macro stands."""
+        name = str(self.rng.choice(MACROS))
+        mapping = self.mappings[name]
+        change = float(self.rng.uniform(-REDRAWN, REDRAWN))
+        first = replace(mapping.targets[0], high=mapping.targets[0].high + change)
+        self.mappings[name] = replace(mapping, targets=(first, *mapping.targets[1:]))
+        return [("redraw", "ana", SetMapping(WHO, identity, self.mappings[name]))]
+
+    def drag(self, identity: str) -> list[Act]:
+        """A look of a pad is dragged a little, whatever the pad plays."""
+        pad = self.pads[str(self.rng.choice(list(self.pads)))]
+        looks = list(pad.looks)
+        which = int(self.rng.integers(len(looks)))
+        x, y = (float(np.clip(at + self.rng.uniform(-DRAGGED, DRAGGED), -1.0, 1.0)) for at in looks[which].place)
+        looks[which] = replace(looks[which], place=(x, y))
+        self.pads[pad.name] = replace(pad, looks=tuple(looks))
+        return [("drag", "ana", SetPad(identity, pad.name, pad.part, 2, looks))]
 
     def _cue(self) -> str:
         return str(self.rng.integers(1, CUES + 1))
@@ -295,11 +401,12 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
     """A show with its interruptions. inertial: False forgets the velocity that a call takes over."""
     session = make_session(cast, seed)
     rng = np.random.default_rng([seed, 2])
-    log = Log(cast, rng, panics=panics)
+    log = Log(cast, rng, session.scene[WHO].mappings, panics=panics)
     looked = Looked()
     now = 0.0
     last = "begin"
     went = 0.0
+    stroke: Stroke | None = None
     frames: list[Frame] = []
     mixes: list[dict[str, Numbers]] = []
     with ExitStack() as stack:
@@ -317,10 +424,13 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
             strides = [1] * steps if inertial else [1, 1, steps - 5, 1, 1, 1]
             for place, stride in enumerate(strides):
                 now += stride / RATE
+                if stroke is not None:
+                    session.receive("ana", MovePad(WHO, stroke.pad, *stroke.at(now)), now)
                 frames = [*frames[-2:], session.cues.advance(stride / RATE).characters[WHO].frame]
                 mixes = [*mixes[-2:], mixes_of(frames[-1])]
                 if len(frames) == 3 and strides[place - 1] == stride == 1:
                     looked.look(frames, mixes, last)
+            stroke = begin_stroke(session, acts[-1][2], log.aim, now)
             for kind, who, message in acts:
                 said = session.receive(who, message, now)
                 refused = any("Refused" in type(each.message).__name__ for each in said)

@@ -5,21 +5,14 @@ from __future__ import annotations
 import csv
 import json
 import os
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner, Result
 
 from omote.cli import app
-from omote.clip_commands import find_film_sound, telling
-from omote.perform.clips.clip import Clip, Lane
-from omote.perform.clips.motion_curve import make_curve
-from omote.server.headless.clip_pictures import FilmSound
+from omote.clip_commands import telling
 from omote.server.persistence.lock import lock_show
-from omote.show.objects.speech import StoredSound
-from omote.showfile.changes import Stored
-from omote.showfile.inspection import Inspection
 from tests.inputs.takes.test_live_link_take import HEADER, row
 
 
@@ -58,25 +51,6 @@ def test_a_clip_goes_out(show: Path, ending: str) -> None:
     assert run("export", show, "line1", "-o", output, "--force").exit_code == 0
     if ending == ".csv":
         assert len([*csv.reader(output.read_text().splitlines())]) == 61
-
-
-def test_a_film_has_the_sound_that_the_show_file_keeps_at_the_speed_of_one(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    line = StoredSound("5" * 32, 2.0, "c1", 3, former=("first",))
-    stored = Stored(documents={"sound": {"line 1": line.encode()}})
-    inspection = Inspection(8, 0, stored, {"c1": b"wav"})
-    clip = Clip([Lane(make_curve([0.0, 1.0], {"jawOpen": [0.0, 1.0]}, {}))], start=0.25, sound_at=0.5)
-    for called in ("line 1", "first", line.sound):
-        assert find_film_sound(inspection, replace(clip, sound=called)) == FilmSound(b"wav", 0.25)
-    assert find_film_sound(inspection, clip) is None
-    assert find_film_sound(inspection, replace(clip, sound="line 1", sound_at=-2.0)) is None, "it is over"
-    assert capsys.readouterr().err == ""
-    assert find_film_sound(inspection, replace(clip, sound="line 1", speed=0.5)) is None
-    assert find_film_sound(inspection, replace(clip, sound="gone")) is None
-    said = capsys.readouterr().err
-    assert "at the speed 0.5, its sound at 1 alone" in said
-    assert "has no sound gone" in said
 
 
 def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:

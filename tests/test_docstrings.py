@@ -90,7 +90,61 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     clip = omote.Clip([lane])
     performer.play_clip(clip)
     scene.set_clips({"line1": clip})
+    jaw = omote.MacroTarget("channel/jawOpen")
+    performer.set_mapping(omote.MacroMapping("mouth", (jaw,)))
+    many = [omote.MacroMapping(f"m{number}", (jaw,)) for number in range(65)]
+    look = omote.PadLook("Glad", {"joy": 1.0}, (1.0,))
+    pad = omote.Pad("mood", "expression", 1, (omote.PadLook("Calm", {"neutral": 1.0}, (0.0,)), look))
+    full = omote.Scene.begun(cast)
+    for number in range(29):
+        full.set_pad(replace(pad, name=f"p{number}"))
+    crowded = omote.Scene.begun(cast)
+    crowded.drop_pad("moods")
+    for number in range(30):
+        crowded.set_pad(replace(pad, name=f"p{number}"))
     return {
+        ("HalfBelow", ValueError): lambda: omote.HalfBelow(0.5, ((0.0, 0.5), (1.0, 1.0))),
+        ("HalfBelow", TypeError): lambda: omote.HalfBelow(words),
+        ("MacroTarget", ValueError): lambda: omote.MacroTarget("head/up"),
+        ("MacroTarget", TypeError): lambda: omote.MacroTarget("head/yaw", high=words),
+        ("MacroCondition", ValueError): lambda: omote.MacroCondition("head/yaw", 0.5),
+        ("MacroCondition", TypeError): lambda: omote.MacroCondition("macro/on", words),
+        ("MacroMapping", ValueError): lambda: omote.MacroMapping("mouth", ()),
+        ("MacroMapping.with_name", ValueError): lambda: many[0].with_name("a/b"),
+        ("Performer.set_mapping", ValueError): lambda: performer.set_mapping(
+            omote.MacroMapping("mouth", (omote.MacroTarget("channel/jawOpn"),))
+        ),
+        ("Performer.set_mapping", TypeError): lambda: performer.set_mapping(words),
+        ("Performer.set_mappings", ValueError): lambda: performer.set_mappings(many),
+        ("Performer.rename_mapping", ValueError): lambda: performer.rename_mapping("mouth", "a/b"),
+        ("Performer.drop_mapping", ValueError): lambda: performer.drop_mapping("jaw"),
+        ("Performer.restore_mapping", ValueError): lambda: performer.restore_mapping("nothing"),
+        ("Performer.move_macro", ValueError): lambda: performer.move_macro("mouth", 2.0),
+        ("Performer.move_macro", TypeError): lambda: performer.move_macro("mouth", words),
+        ("PadLook", ValueError): lambda: replace(look, mix={"joy": 0.5}),
+        ("PadLook", TypeError): lambda: replace(look, place=(words,)),
+        ("Pad", ValueError): lambda: replace(pad, dimensions=2),
+        ("Pad", TypeError): lambda: replace(pad, looks=(look, words)),
+        ("Pad.weights_at", ValueError): lambda: pad.weights_at((2.0,)),
+        ("Pad.weights_at", TypeError): lambda: pad.weights_at((words,)),
+        ("Pad.mix_at", ValueError): lambda: pad.mix_at((0.0, 0.0)),
+        ("Pad.mix_at", TypeError): lambda: pad.mix_at((words,)),
+        ("Pad.check_place", ValueError): lambda: pad.check_place((2.0,)),
+        ("Pad.check_place", TypeError): lambda: pad.check_place((words,)),
+        ("Pad.moved", ValueError): lambda: pad.moved((), 0.0, 0.0, None),
+        ("Pad.moved", TypeError): lambda: pad.moved((), words, None, None),
+        ("Performer.move_pad", ValueError): lambda: performer.move_pad(pad, 2.0),
+        ("Performer.move_pad", TypeError): lambda: performer.move_pad(words, 0.0),
+        ("Scene.set_pad", ValueError): lambda: full.set_pad(pad),
+        ("Scene.set_pad", TypeError): lambda: scene.set_pad(words),
+        ("Scene.rename_pad", ValueError): lambda: scene.rename_pad("moods", "mouth"),
+        ("Scene.copy_pad", ValueError): lambda: scene.copy_pad("nowhere", "lips"),
+        ("Scene.drop_pad", ValueError): lambda: scene.drop_pad("nowhere"),
+        ("Scene.restore_pad", ValueError): lambda: scene.restore_pad("nowhere"),
+        ("Scene.add_cast_pads", ValueError): lambda: crowded.add_cast_pads(),
+        ("Scene.move_pad", ValueError): lambda: scene.move_pad("one", "nowhere", 0.0),
+        ("Scene.move_pad", TypeError): lambda: scene.move_pad("one", "mouth", words),
+        ("Scene.find_pad", ValueError): lambda: scene.find_pad("nowhere"),
         ("Lane", ValueError): lambda: omote.Lane(lane.curve, weight=2.0),
         ("Lane", TypeError): lambda: omote.Lane(lane.curve, muted=words),
         ("Clip", ValueError): lambda: omote.Clip([]),
@@ -173,6 +227,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Performer.set_layer", ValueError): lambda: performer.set_layer("lips", influence=4.0),
         ("Performer.set_motion", ValueError): lambda: performer.set_motion(4.0),
         ("Performer.set_motion", TypeError): lambda: performer.set_motion(words),
+        ("Performer.set_spring", ValueError): lambda: performer.set_spring("tail", 1.0),
+        ("Performer.set_spring", TypeError): lambda: performer.set_spring("ears-sway", words),
         ("Performer.set_layer", TypeError): lambda: performer.set_layer("lips", influence=words),
         ("Performer.say", ValueError): lambda: performer.say("a", language="fr"),
         ("Performer.say", TypeError): lambda: performer.say("a", delay=words),

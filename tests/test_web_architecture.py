@@ -57,12 +57,12 @@ USED: dict[str, str] = {
     "console/devices_page": (
         "link ui access console/store console/show_file console/devices console/leases console/panels console"
     ),
+    "rehearsal": "link ui",
     "console/cues_page": (
-        "link ui access console/store console/leases console/panels console console/cues console/clips"
+        "link ui access rehearsal console/store console/leases console/panels console console/cues console/clips"
     ),
     "console/clips_page": "link ui access console/store console/leases console/panels console console/clips",
     "microphone": "link ui access",
-    "rehearsal": "link ui",
     "rehearsal/notes": "ui rehearsal",
     "rehearsal/runs": "link ui rehearsal",
     "replay": "ui rehearsal",

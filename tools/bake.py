@@ -23,7 +23,7 @@ from tools.baking.assemble import (
     openness_arrays,
     space_of,
 )
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED, SPRINGS
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
@@ -34,6 +34,7 @@ from tools.baking.heads.moves import all_moves, jaw_vertices
 from tools.baking.heads.one_eye import leave_other_socket
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.random_heads import identity_modes
+from tools.baking.heads.soft_tissue import soft_moves
 from tools.baking.layout import unwrap
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
@@ -45,7 +46,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(GROOMS) + 5
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(SPRINGS) + len(GROOMS) + 5
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
@@ -80,10 +81,11 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
     fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
     corrected = repair_folds(space, round_lower_lip(space, leave_other_socket(space, moves)))
-    arrays.update(field_arrays(arrays, space, corrected, step))
+    played = corrected | soft_moves(space)
+    arrays.update(field_arrays(arrays, space, played, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(openness_arrays(arrays))
-    arrays.update(about(moves, sculpts))
+    arrays.update(about(played, sculpts))
     return arrays
 
 

@@ -15,6 +15,7 @@ import typing
 from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import msgspec
 
@@ -40,8 +41,10 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PAR
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
 from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show import messages
 from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
 from omote.show.access.access_role import ACCESS_ROLES
@@ -53,7 +56,7 @@ FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
 WIDTH = 120
 """Characters of a line, as the web's formatter has it."""
-VALUES = (Move, CueAction, Cue, PadLook)
+VALUES = (Move, CueAction, Cue, PadLook, HalfBelow, MacroTarget, MacroCondition, MacroMapping)
 """Values of the engine that travel as they are."""
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
@@ -67,7 +70,7 @@ def type_script(annotation: object) -> str:
     return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
 
 
-def value_type(value: type[Move | CueAction | Cue | PadLook]) -> str:
+def value_type(value: type[Any]) -> str:
     """One exported type of a value of the engine, with the first line of its docstring as its comment."""
     hints = typing.get_type_hints(value)
     fields = "".join(f"  {each.name}: {type_script(hints[each.name])};\n" for each in dataclasses.fields(value))
@@ -163,6 +166,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "PLAY_REGIONS": ("The regions of a face in which an expression can be called alone.", PLAY_REGIONS),
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
+    "SPRINGS": ("The springs of a character.", SPRING_NAMES),
     "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
     "SPEECH": ("The source of what a character says, which ends by itself.", SPEECH),
     "LIPS_INFLUENCE": (

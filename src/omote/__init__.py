@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from omote.perform.cues.cue import Move as Move
     from omote.perform.cues.cue_action import CueAction as CueAction
     from omote.perform.cues.cue_player import CuePlayer as CuePlayer
+    from omote.perform.mappings.mapping import HalfBelow as HalfBelow
+    from omote.perform.mappings.mapping import MacroCondition as MacroCondition
+    from omote.perform.mappings.mapping import MacroMapping as MacroMapping
+    from omote.perform.mappings.mapping import MacroTarget as MacroTarget
     from omote.perform.pads.blend_space import Pad as Pad
     from omote.perform.pads.blend_space import PadLook as PadLook
     from omote.perform.performer import Performer as Performer
@@ -70,7 +74,11 @@ _HOMES = {
     "Photograph": "omote.model.fitting.photographs.photograph",
     "PhotographFit": "omote.model.fitting.photographs.photograph_fit",
     "Gain": "omote.model.space.gain",
+    "HalfBelow": "omote.perform.mappings.mapping",
     "Lane": "omote.perform.clips.clip",
+    "MacroCondition": "omote.perform.mappings.mapping",
+    "MacroMapping": "omote.perform.mappings.mapping",
+    "MacroTarget": "omote.perform.mappings.mapping",
     "Move": "omote.perform.cues.cue",
     "Pad": "omote.perform.pads.blend_space",
     "PadLook": "omote.perform.pads.blend_space",

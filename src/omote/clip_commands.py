@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from omote.interchange.clips.clip_frames import ClipFrames
     from omote.model.cast import Cast
     from omote.perform.clips.clip import Clip
-    from omote.server.headless.clip_pictures import FilmSound
     from omote.showfile.inspection import Inspection
 
 CSV = ".csv"
@@ -136,7 +135,14 @@ def render_clip(
     from omote.export_commands import load_full_cast
     from omote.interchange.formats.atomic_file import require_free
     from omote.perform.limits import check_known
-    from omote.server.headless.clip_pictures import FILMS, ClipPictures, draw_clip, film_clip, find_ffmpeg
+    from omote.server.headless.clip_pictures import (
+        FILMS,
+        ClipPictures,
+        draw_clip,
+        film_clip,
+        find_ffmpeg,
+        find_film_sound,
+    )
     from omote.show.objects.clips import StoredClip
     from omote.stage_data.full_cast import find_face
     from omote.stage_data.picture_setting import read_size
@@ -163,7 +169,7 @@ def render_clip(
                     tell=tell,
                 )  # fmt: skip
 
-        drawn = film_clip(output, draw, find_film_sound(inspection, clip)) if kind else draw(output)
+        drawn = film_clip(output, draw, find_film_sound(inspection, clip, say)) if kind else draw(output)
     if kind == ".webm":
         say("ffmpeg's own decoder of VP9 shows no alpha: read it with -c:v libvpx-vp9.")
     say(escape_controls(f"{output} holds {name}, {len(drawn.frames)} frames, {drawn.seconds:.2f} s."))
@@ -190,30 +196,6 @@ def telling(*, goes_on: bool) -> Iterator[Callable[[int, int], None]]:
         if counts and goes_on:
             say(f"{counts[-1][0]} of {counts[-1][1]} frames were drawn; the same command goes on.")
         raise
-
-
-def find_film_sound(inspection: Inspection, clip: Clip) -> FilmSound | None:
-    """What is heard in a film of a clip, None for nothing; where its sound is missing, or has another speed, that is
-    said. inspection: of its show file."""
-    from omote.server.headless.clip_pictures import FilmSound
-    from omote.show.objects.speech import StoredSound
-    from omote.show.speech.named_sounds import NamedSounds, read_sounds
-
-    if not clip.sound:
-        return None
-    sounds, _ = read_sounds(inspection.stored.documents.get(StoredSound.kind, {}), inspection.contents)
-    named = NamedSounds()
-    named.load(sounds)
-    key = named.called().get(clip.sound, clip.sound)
-    found = next((sound for sound in sounds.values() if sound.sound == key), None)
-    if found is None:
-        say(escape_controls(f"the show file has no sound {clip.sound}, so the film has none."))
-        return None
-    if clip.speed != 1.0:
-        say(f"the clip plays at the speed {clip.speed:g}, its sound at 1 alone: the film has none.")
-        return None
-    at = clip.sound_at - clip.start
-    return FilmSound(inspection.contents[found.content], at) if -at < found.seconds else None
 
 
 def inspect(file: Path) -> Inspection:

@@ -59,6 +59,8 @@ def render(
     channel: ChannelsOption = None,
     turn: Annotated[str, typer.Option(help="The head's yaw, pitch and roll, degrees: 30,0,-5.")] = "",
     gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees: to 40 and 30 either way.")] = "",
+    clip: Annotated[str, typer.Option(help="A motion clip of the show file, in place of all but the face.")] = "",
+    at: Annotated[float, typer.Option(min=0.0, help="The second of the clip.")] = 0.0,
     size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
     light: LightOption = "theatre",
     background: BackgroundOption = None,
@@ -77,7 +79,8 @@ def render(
 
     request = RenderRequest(
         face=tuple(face or ["generic"]), expression=tuple(expression or []), channel=tuple(channel or []), turn=turn,
-        gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality, hair=hair,
+        gaze=gaze, clip=clip, at=at,
+        size=size, light=light, background=background, transparent=transparent, quality=quality, hair=hair,
         mask=mask, luminance=luminance, contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
     draw(output, request, fresh=fresh, force=force)

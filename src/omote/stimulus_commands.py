@@ -33,18 +33,23 @@ def stimuli(
     fresh: FreshOption = False,
     force: ForceOption = False,
 ) -> None:
-    """Draws the pictures and clips of a table, and a table of what was drawn; goes on where it was stopped."""
+    """Draws the pictures, clips and films of a table, and a table of what was drawn; goes on where it was stopped."""
     with exit_on_refusal():
         data = table.read_bytes()
         if output.exists() and not output.is_dir():
             fail(f"{output} is a file; give the name of a folder for the pictures.")
         studio, planned = plan(table, data, output, show, fresh=fresh)
         if not force:
-            for run in planned.runs:
-                run.refuse_foreign()
-        draw_shown(studio, planned, jobs=jobs)
-    say(f"{output} has {planned.count} pictures of {len(planned.stimuli)} rows, and drawn.csv, which lists them.")
-    tell_clipped([planned.folder / name for stimulus in planned.stimuli for name in stimulus.files])
+            planned.refuse_foreign()
+        lost = draw_shown(studio, planned, jobs=jobs)
+    drawn = [stimulus for stimulus in planned.stimuli if stimulus.row not in lost]
+    pictures = [planned.folder / name for stimulus in drawn for name in stimulus.files]
+    say(f"{output} has {len(pictures)} pictures of {len(drawn)} rows, and drawn.csv, which lists them.")
+    tell_clipped(pictures)
+    for sentence in lost.values():
+        say(f"{table.name}, {sentence}")
+    if lost:
+        fail(f"rows that could not be drawn: {len(lost)}; mend them, and the same command draws them.")
 
 
 def plan(
@@ -79,12 +84,13 @@ def plan(
     return studio, planned
 
 
-def draw_shown(studio: PictureStudio, planned: StimulusRun, *, jobs: int) -> None:
-    """Draws, and shows how far it is.
+def draw_shown(studio: PictureStudio, planned: StimulusRun, *, jobs: int) -> dict[int, str]:
+    """Draws, and shows how far it is; returns why rows could not be drawn, by their numbers.
 
     studio: what draws; planned: what; jobs: browsers at once.
     """
-    from omote.server.headless.stimulus_run import draw_planned
+    from omote.server.headless.stimulus_run import draw_planned, finish_stimuli
 
     with shown_progress(planned.count, planned.waiting, planned.folder, STOPPED) as report:
-        draw_planned(studio, planned, report, jobs=jobs)
+        lost = draw_planned(studio, planned, report, jobs=jobs)
+    return finish_stimuli(studio, planned, lost, say)

@@ -199,6 +199,14 @@ def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: Ope
     tile.click()
     expect(tile).to_have_attribute("aria-pressed", "false")
 
+    # The key of the hand that records keeps the pass from the console too.
+    page.keyboard.press("r")
+    expect(light).to_have_attribute("aria-label", re.compile("records brows of"))
+    wait_until(page, f"{CLIPS}.position > 0.2")
+    desk.keyboard.press("k")
+    expect(desk.locator("omote-status")).to_contain_text("Kept in second")
+    wait_until(page, f"{CLIPS}.pass === null && {CLIPS}.lanes.length === 4")
+
 
 def test_a_sound_is_added_drawn_moved_and_recorded_along_with(open_page: OpenPage) -> None:
     page = clip_page(open_page)

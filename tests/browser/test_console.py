@@ -274,9 +274,12 @@ def test_a_fader_moves_its_channel_and_stands_out(console: Console) -> None:
     page = console()
     region(page, "jaw")
     jaw = fader(page, "jawOpen")
+    places = "tabs => tabs.map(tab => tab.getBoundingClientRect().left)"
+    before = page.locator("omote-bank [data-tab]").evaluate_all(places)
     drag(page, jaw, (0.5, 0.75), (0.5, 0.5))
     wait_for(page, "state.channels.jawOpen > 0.4 && state.channels.jawOpen < 0.6")
     expect(page.locator("[data-tab='touched'] .count")).to_have_text("1")
+    assert page.locator("omote-bank [data-tab]").evaluate_all(places) == before, "tabs stay under the hand"
     jaw.dblclick()
     wait_for(page, "!('jawOpen' in state.channels)")
 

@@ -7,10 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 import omote
 from omote import builtin
 from omote.builtin.binding import PARTS
+from omote.geometry.orientation import area_shares, rest_normals
+from omote.model.space.ears import rotations
 from omote.model.space.face import Face
 from omote.model.space.gain import gain_of
 from omote.model.space.skin_sheet import refuse_axis_outside
@@ -18,7 +21,17 @@ from omote.model.transfer.compound import compound_parts
 from omote.model.transfer.fold_repair import find_folds
 from omote.model.transfer.smooth_map import prepare_smooth_map
 from tests.pictures import read_png
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn
+from tools.baking.expressions import (
+    ARKIT,
+    MAKEHUMAN,
+    OMOTE,
+    PERFORMED,
+    PUPILS,
+    SPRING_EARS,
+    SPRINGS,
+    ear_turns,
+    head_turn,
+)
 
 CAST = omote.load_cast()
 GENERIC = CAST.faces["generic"]
@@ -87,10 +100,10 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     for name in CAST.expressions:
         kinds.setdefault(CAST.titles[name].kind, []).append(name)
     expected = {"neutral": ["neutral"], "performed": [*PERFORMED], "arkit": [*ARKIT], "makehuman": [*MAKEHUMAN]}
-    expected["omote"] = [*OMOTE]
+    expected |= {"omote": [*OMOTE], "spring": [*SPRINGS]}
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "omote": 6,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "omote": 6, "spring": 4,
     }  # fmt: skip
     assert {
         "smile",
@@ -117,7 +130,7 @@ def test_every_expression_but_neutral_moves_something() -> None:
         still = (
             moved_skin(name).max() < 1e-5 and still_parts(name) == {*PARTS} and not CAST.expressions[name].eyes.any()
         )
-        assert still == (name == "neutral" or name in OMOTE), name
+        assert still == (name == "neutral" or name in (*OMOTE, *SPRING_EARS)), name
 
 
 def test_pupils_move_by_what_the_table_says() -> None:
@@ -127,10 +140,38 @@ def test_pupils_move_by_what_the_table_says() -> None:
 
 def test_ears_and_heads_turn_by_what_the_tables_say_and_no_persons_do() -> None:
     for name, expression in CAST.expressions.items():
-        assert expression.name == name
+        assert (expression.name, expression.signed) == (name, name in SPRINGS)
         np.testing.assert_allclose(expression.ears, ear_turns(name), atol=1e-7)
         np.testing.assert_allclose(expression.head, head_turn(name), atol=1e-7)
-    assert not any(CAST.faces[name].gains for name in ("generic", "kaori", "old"))
+    assert not any(CAST.faces[name].gains for name in ("generic", "kaori", "man"))
+
+
+@pytest.mark.parametrize("face", FACES, ids=name_of)
+@pytest.mark.parametrize("name", SPRINGS)
+def test_what_springs_play_folds_no_face_at_either_end(face: Face, name: str) -> None:
+    """Seen along normals at rest, which turn with the ears."""
+    rest = face.positions.astype(np.float64)
+    corners = CAST.space.sheet_triangles
+    moved = omote.compound(CAST.space, face, CAST.expressions[name]).astype(np.float64) - rest
+    turns = gain_of(face.gains, "ears", name) * CAST.expressions[name].ears
+    for weight in (-1.0, -0.5, 0.5, 1.0):
+        normals, sizes = rest_normals(rest, corners)
+        for weights, (_, axis) in rotations(CAST.space, face.positions, weight * turns) if turns.any() else ():
+            normals = Rotation.from_rotvec(weights[corners].mean(axis=1)[:, None] * axis).apply(normals)
+        assert area_shares(rest + weight * moved, normals, sizes, corners).min() > 0.0, weight
+
+
+def test_ears_swing_on_animals_alone_and_jowls_most_on_the_heavy() -> None:
+    def reach(face: Face, name: str) -> float:
+        worn = omote.compound(CAST.space, face, CAST.expressions[name]).astype(np.float64)
+        return float(np.linalg.norm(worn - face.positions, axis=1).max())
+
+    for name in SPRING_EARS:
+        assert {face.name for face in FACES if reach(face, name) > 1e-5} == {"dog", "cat"}
+    for name in ("jowls-sway", "cheeks-bounce"):
+        reached = {face.name: reach(face, name) for face in FACES}
+        assert max(reached, key=lambda each: reached[each]) == "heavy"
+        assert max(reached[each] for each in ("noh", "doll", "gaunt")) < 0.5 * reached["generic"]
 
 
 @pytest.mark.parametrize("face", ["dog", "cat"])

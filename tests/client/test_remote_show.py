@@ -18,6 +18,7 @@ from omote.model.cast import Cast
 from omote.perform.clips.clip import Clip, Lane
 from omote.perform.clips.motion_curve import make_curve
 from omote.perform.frame import Frame, LayerStatus, SpeechStatus
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.perform.performer import Performer
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import ClientMessage
@@ -57,6 +58,7 @@ NO_CALLS = {
 }
 """What is the server's, and the scene's."""
 
+MOUTH = MacroMapping("mouth", (MacroTarget("channel/jawOpen", high=0.5, rise=0.1),))
 CALLS: dict[str, Callable[[Any], Any]] = {
     "call_face": lambda one: one.call_face("broad", seconds=2, easing="gentle"),
     "call_face by hand": lambda one: one.call_face("broad", seconds=math.inf),
@@ -85,6 +87,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     ),
     "set_layer": lambda one: one.set_layer("emotion", region="mouth", influence=0.5),
     "set_motion": lambda one: one.set_motion(0.5, blinks=1.5, seed=3),
+    "set_spring": lambda one: one.set_spring("jowls-sway", 0.25),
     "look_at": lambda one: one.look_at("direction", yaw=0.02, pitch=-0.01),
     "look_at a point, idle": lambda one: (one.look_at("point", z=1.5), one.set_motion(idle=True)),
     "set_layer off": lambda one: one.set_layer("emotion", on=False),
@@ -93,6 +96,12 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "say after": lambda one: (one.say("Papa"), one.say("Mama", language="de", seconds=2.0, queue=True)),
     "stop_speaking": lambda one: one.stop_speaking(),
     "gesture": lambda one: one.gesture("nod", amplitude=0.5, seconds=1.0),
+    "set_mapping": lambda one: one.set_mapping(MOUTH, key="k"),
+    "set_mappings": lambda one: one.set_mappings([MOUTH, MOUTH.with_name("jaw")], key="k"),
+    "move_macro": lambda one: (one.set_mapping(MOUTH), one.move_macro("mouth", 0.5)),
+    "rename_mapping": lambda one: (one.set_mapping(MOUTH), one.rename_mapping("mouth", "jaw", key="k")),
+    "drop_mapping": lambda one: (one.set_mapping(MOUTH), one.move_macro("mouth", 1.0), one.drop_mapping("mouth")),
+    "restore_mapping": lambda one: (one.set_mapping(MOUTH), one.restore_mapping("mouth")),
     "set_home": lambda one: one.set_home("broad", seconds=3),
     "panic": lambda one: (one.set_channel("jawOpen", 0.4), one.panic()),
 }

@@ -13,6 +13,7 @@ from omote.show.objects.characters import AddCharacter
 from omote.show.objects.faders import SetChannel, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Hello
+from omote.show.objects.motion import SetSpring
 from omote.show.objects.pictures import CallBlack, CallFraming
 from omote.show.session import ShowSession
 from tests import synthetic
@@ -32,6 +33,7 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         SetChannel("one", "smile", 0.5),
         SetHead("one", 0.1, 0, 0),
         SetLayer("one", "tracker", "mouth", 0.5, on=False),
+        SetSpring("one", "jowls-sway", 0.25),
     ):
         session.receive("a", message, 0.0)
     state = session.tick(0.0)
@@ -46,6 +48,7 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         state.light,
         0.5,
     )
+    assert again.characters["one"].springs == {"jowls-sway": 0.25}
     assert again.characters["one"].regions == {"mouth": {"smile": 1.0}}
     assert (again.characters["two"], again.framing) == (state.characters["two"], {"one+two": 1.0})
     assert again.characters["one"].head == pytest.approx(state.characters["one"].head, abs=1e-5)

@@ -25,6 +25,7 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.scene import Scene
 from omote.perform.speech.spelling import LANGUAGES
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
@@ -83,7 +84,8 @@ def test_a_text_has_no_range_and_another_character_is_one_of_those_that_there_ar
 
 
 def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
-    paths = {leaf["FULL_PATH"] for leaf in leaves(build_addresses(CAST, ["one", "two"], PADS))}
+    macros = {"one": ["smile"], "two": ["jaw", "turn"]}
+    paths = {leaf["FULL_PATH"] for leaf in leaves(build_addresses(CAST, ["one", "two"], PADS, macros))}
     wanted = set()
     for address in ADDRESSES:
         for owner in ["one"] if address.of_show else ["one", "two"]:
@@ -92,7 +94,10 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
             known = {*PADS} if address.path.startswith("pad/") else known
-            known = set() if address.path.startswith(("memory", "clip")) else known  # whose names no cast has
+            known = {*macros[owner]} if address.path.startswith("macro/") else known
+            unlisted = ("memory", "clip", "setup")  # whose names no cast has
+            known = set() if address.path.startswith(unlisted) else known
+            known = {*SPRING_NAMES} if address.path.startswith("spring") else known
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]

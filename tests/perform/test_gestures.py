@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from omote.perform.channels import channels_of
 from omote.perform.frame import Frame, Head, Held
 from omote.perform.gestures import (
     CURVES,
@@ -22,23 +23,37 @@ from omote.perform.gestures import (
     value_at,
     with_gestures,
 )
+from omote.perform.performer import Performer
+from tests import synthetic
 
-NAMES = {"eyeBlinkLeft", "eyeBlinkRight", "browInnerUp"}
+SMILE = synthetic.cast().expressions["smile"]
+CHANNELS = dict.fromkeys(("eyeBlinkLeft", "eyeBlinkRight", "browInnerUp"), SMILE)
 STILL = Frame({"generic": 1.0}, {"neutral": 1.0})
 
 
 def _head(running: tuple[Gesture, ...]) -> tuple[float, float, float]:
-    head = with_gestures(STILL, running, NAMES, Held()).head
+    head = with_gestures(STILL, running, CHANNELS, Held()).head
     return head.yaw, head.pitch, head.roll
 
 
 def test_a_frame_without_gestures_is_itself() -> None:
-    assert with_gestures(STILL, (), NAMES, Held()) is STILL
+    assert with_gestures(STILL, (), CHANNELS, Held()) is STILL
+
+
+def test_eyes_that_hands_have_turned_stay_there_in_a_gesture() -> None:
+    cast = synthetic.cast()
+    performer = Performer(cast)
+    performer.set_gaze(0.3, 0.1)
+    before = channels_of(cast.expressions, performer.advance(1 / 60))
+    performer.gesture("nod")
+    during = channels_of(cast.expressions, performer.advance(1 / 60))
+    assert before
+    assert during == before
 
 
 def test_a_gesture_adds_to_the_head_and_tells_what_hands_hold() -> None:
     running = advance_gestures(begin_gesture((), "nod", 1.0, 1.0), 0.28)
-    frame = with_gestures(Frame({}, {}, head=Head(0.1, 0.1, 0.0)), running, NAMES, Held())
+    frame = with_gestures(Frame({}, {}, head=Head(0.1, 0.1, 0.0)), running, CHANNELS, Held())
     assert (frame.head.yaw, frame.head.pitch) == pytest.approx((0.1, 0.1 - 0.22))
     assert frame.held == Held()
     assert advance_gestures(running, 1.0) == ()
@@ -47,14 +62,14 @@ def test_a_gesture_adds_to_the_head_and_tells_what_hands_hold() -> None:
 def test_a_wink_closes_one_lid_what_is_closed_stays_closed_and_the_other_side_is_below_zero() -> None:
     for amplitude, lid in ((1.0, "eyeBlinkLeft"), (-1.0, "eyeBlinkRight")):
         running = advance_gestures(begin_gesture((), "wink", amplitude, 1.0), 0.45)
-        shown = with_gestures(Frame({}, {}, {lid: 0.5}), running, NAMES, Held()).channels
+        shown = with_gestures(Frame({}, {}, {lid: 0.5}), running, CHANNELS, Held()).channels
         assert shown[lid] == pytest.approx(1.0)
-        assert set(shown) <= NAMES
+        assert set(shown) <= CHANNELS.keys()
 
 
 def test_a_head_stays_in_its_range() -> None:
     running = advance_gestures(begin_gesture((), "bow", 2.0, 1.0), 0.45)
-    frame = with_gestures(Frame({}, {}, head=Head(0.0, -1.2, 0.0)), running, NAMES, Held())
+    frame = with_gestures(Frame({}, {}, head=Head(0.0, -1.2, 0.0)), running, CHANNELS, Held())
     assert frame.head.pitch == -math.pi / 2
 
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip, Lane
+from omote.perform.clips.motion_curve import make_curve
 from omote.perform.easing import EASINGS
+from omote.stage_data.clip_poses import ClipPoses
 from omote.stage_data.picture_request import RenderRequest
 from omote.stage_data.pose_parser import find_pose
 from omote.stage_data.stimulus_table import TableError, read_stimuli
@@ -39,6 +42,46 @@ def test_a_clip_goes_from_its_first_picture_to_its_last_by_its_easing(cast: Cast
         frame = find_pose(cast, request.words)
         assert frame.faces == pytest.approx({n: w for n, w in ((one, 1 - share), (other, share)) if w}, abs=1e-8)
         assert frame.expressions.get("smile", 0.0) == pytest.approx(share, abs=1e-8)
+
+
+RAMP = Clip([Lane(make_curve([0.0, 4.0], {"jawOpen": [0.0, 1.0]}, {}))], start=1.0, speed=0.5)
+"""Three seconds of motion, at half speed."""
+
+
+def test_a_motion_clip_is_drawn_from_second_to_second_at_its_speed(cast: Cast) -> None:
+    poses = ClipPoses(cast, {"ramp": RAMP})
+    lines = ["name,clip,from,to,speed,fps,format,at", "a,ramp,,,,10,,", "b,ramp,1,1.5,2,20,mov,", "c,ramp,,,,,,2.5"]
+    (a, b, c), own = read_stimuli("\n".join(lines).encode(), cast, show="my.omote", clips=poses)
+    assert (len(a.frames), a.fps, a.film, a.files[-1], own) == (60, 10.0, "", "a/0060.png", [])
+    assert [frame.at for frame in a.frames] == pytest.approx([0.05 * number for number in range(60)])
+    assert [frame.at for frame in b.frames] == pytest.approx([1.0, 1.1, 1.2, 1.3, 1.4])
+    assert (b.fps, b.film, b.row, c.row) == (20.0, "b.mov", 3, 4)
+    assert b.clip is not None
+    assert (b.clip.start, b.clip.end, b.clip.speed) == (2.0, 2.5, 2.0)
+    assert c.frames == (RenderRequest(clip="ramp", at=2.5, show="my.omote"),)
+    assert (c.files, c.fps) == (["c.png"], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("clip\nrams", "row 2, clip: there is no clip 'rams'"),
+        ("clip,seconds\nramp,1", "row 2, seconds: a motion clip has its own motion; leave it empty"),
+        ("clip,turn\nramp,5", "row 2: the clip ramp has turn of its own"),
+        ("clip,from,to\nramp,2,1", "row 2: the clip ramp has 3 s, and nothing from 2 s to 1 s"),
+        ("clip,to\nramp,3.1", "row 2: the clip ramp has 3 s, and nothing from 0 s to 3.1 s"),
+        ("clip,at\nramp,3.1", "row 2: the clip ramp has no second 3.1"),
+        ("clip,format\nramp,mp4", "row 2, format: there is no format 'mp4'"),
+        ("name,format\na,mov", "row 2, format: this is of a clip"),
+        ("seconds,speed\n1,2", "row 2, speed: this is of a motion clip"),
+        ("seconds,clip,at\n1,ramp,2", "row 2, at: this is of a motion clip"),
+        ("name,at\na,1", "row 2: the second 1 is of no clip"),
+    ],
+)
+def test_what_no_motion_clip_is_drawn_by_is_refused(text: str, sentence: str, cast: Cast) -> None:
+    with pytest.raises(TableError) as raised:
+        read_stimuli(text.encode(), cast, clips=ClipPoses(cast, {"ramp": RAMP}))
+    assert sentence in "\n".join(raised.value.sentences)
 
 
 def test_everything_that_is_wrong_is_said_with_its_row_and_column(cast: Cast) -> None:

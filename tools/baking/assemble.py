@@ -21,7 +21,18 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth_at_rest import close_behind_lips, fit_mouth_at_rest
-from tools.baking.expressions import ARKIT, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn, region
+from tools.baking.expressions import (
+    ARKIT,
+    MAKEHUMAN,
+    OMOTE,
+    PERFORMED,
+    PUPILS,
+    SPRING_EARS,
+    SPRINGS,
+    ear_turns,
+    head_turn,
+    region,
+)
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
 from tools.baking.heads.mouth_bag import carry_bag, keep_bag_inside
@@ -157,7 +168,7 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
         taken = extract(space, generic, skin, parts=move.parts)
         expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
         step(name)
-    for name, pupil in OMOTE.items():
+    for name, pupil in {**OMOTE, **dict.fromkeys(SPRING_EARS, 0.0)}.items():
         expressions.append(replace(_at_rest(space), pupil=pupil, ears=ear_turns(name), head=head_turn(name)))
         step(name)
     return _stack(expressions, space)
@@ -194,15 +205,14 @@ def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
     faces = {name: dict(person.look) for name, person in PEOPLE.items()}
     faces |= {sculpt.name: asdict(sculpt.look) for sculpt in sculpts}
     rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]
-    rows += [
-        {"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in (*moves, *OMOTE)
-    ]
-    gains = {sculpt.name: [asdict(gain) for gain in sculpt.gains] for sculpt in sculpts if sculpt.gains}
+    names = (*moves, *OMOTE, *SPRING_EARS)
+    rows += [{"name": name, "label": label(name), "kind": _kind(name), "region": region(name)} for name in names]
+    answers = {name: person.gains for name, person in PEOPLE.items()} | {each.name: each.gains for each in sculpts}
+    gains = {name: [asdict(gain) for gain in own] for name, own in answers.items() if own}
     text = json.dumps({"faces": faces, "gains": gains, "expressions": rows}, indent=1)
     return {"format": np.array(FORMAT), "about": np.frombuffer(text.encode(), dtype=np.uint8)}
 
 
 def _kind(name: str) -> str:
-    if name in PERFORMED or name in OMOTE:
-        return "performed" if name in PERFORMED else "omote"
-    return "arkit" if name in ARKIT else "makehuman"
+    named = {"performed": PERFORMED, "arkit": ARKIT, "makehuman": MAKEHUMAN, "omote": OMOTE, "spring": SPRINGS}
+    return next(kind for kind, names in named.items() if name in names)

@@ -113,6 +113,11 @@ OMOTE: Mapping[str, float] = {
     "pupils-wide": 1.0, "pupils-narrow": -1.0, "ears-up": 0.0, "ears-down": 0.0, "ears-back": 0.0, "ears-out": 0.0,
 }  # fmt: skip
 
+# Springs play these, to both sides of rest: ears turn by the tables below, skin goes by heads/soft_tissue.py.
+SPRING_EARS = ("ears-sway", "ears-flap")
+SPRING_SKIN = ("jowls-sway", "cheeks-bounce")
+SPRINGS = (*SPRING_SKIN, *SPRING_EARS)
+
 # How far both ears go back, up and out, in degrees, on a face that answers with its ears by a gain of 1 (people's do
 # not). Performed ones after what dogs and cats show: pricked with attention, laid back in fear and rage, let down in
 # sorrow. The units' are small, so that a tracked performer's brows and lids stir the ears too.
@@ -125,7 +130,11 @@ EARS: Mapping[str, tuple[float, float, float]] = {
     "browInnerUp": (-4, 12, 0), "browOuterUpLeft": (-2, 6, 0), "browOuterUpRight": (-2, 6, 0),
     "browDownLeft": (8, -2, 4), "browDownRight": (8, -2, 4), "eyeWideLeft": (-3, 6, 0), "eyeWideRight": (-3, 6, 0),
     "ears-up": (0, 30, 0), "ears-down": (0, -30, 0), "ears-back": (30, 0, 0), "ears-out": (0, 0, 30),
+    "ears-flap": (4, 12, 6),
 }  # fmt: skip
+
+# How far the left ear goes back, up and out where the right one goes the opposite way: both swing to one side.
+OPPOSITE_EARS: Mapping[str, tuple[float, float, float]] = {"ears-sway": (5, 0, 13)}
 
 # Yaw, pitch and roll of the head, in degrees, on a face that answers with its head by a gain of 1 (people's do not).
 HEADS: Mapping[str, tuple[float, float, float]] = {
@@ -142,6 +151,7 @@ _REGIONS = {
     "ears": "ears",
     "nose": "nose",
     "cheek": "cheeks",
+    "jowls": "jaw",
     "mouth": "mouth",
     "jaw": "jaw",
     "tongue": "tongue",
@@ -155,6 +165,8 @@ def unit_weights(recipe: Mapping[str, float]) -> dict[str, float]:
 
 def ear_turns(name: str) -> NDArray[np.float64]:
     """How far the left and the right ear turn back, up and out, (2, 3) radians; `Left` and `Right` name one of them."""
+    if name in OPPOSITE_EARS:
+        return np.outer([1.0, -1.0], np.radians(OPPOSITE_EARS[name]))
     turn = np.radians(EARS.get(name, (0.0, 0.0, 0.0)))
     return np.stack([turn * (not name.endswith("Right")), turn * (not name.endswith("Left"))])
 

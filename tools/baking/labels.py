@@ -71,6 +71,10 @@ LABELS: Mapping[str, str] = {
     "ears-down": "Ears down",
     "ears-back": "Ears back",
     "ears-out": "Ears out",
+    "jowls-sway": "Jowls sway",
+    "cheeks-bounce": "Cheeks bounce",
+    "ears-sway": "Ears sway",
+    "ears-flap": "Ears flap",
 }
 SIDES = (("Left", "left"), ("Right", "right"), ("left", "left"), ("right", "right"))
 

@@ -27,6 +27,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts", "speak"),
     "Clips": ("Clip", "Lane"),
+    "Macros": ("MacroMapping", "MacroTarget", "HalfBelow", "MacroCondition"),
     "Pads": ("Pad", "PadLook"),
     "Cues": ("CuePlayer", "Cue", "Move", "CueAction", "read_cues", "write_cues"),
     "Pictures": ("render", "Renderer", "draw_stimuli"),

@@ -69,7 +69,10 @@ def cast_of(arrays: Arrays) -> Cast:
     return Cast(
         space=space,
         faces=faces,
-        expressions={name: _expression(arrays, name, row, space) for row, name in enumerate(titles)},
+        expressions={
+            name: _expression(arrays, name, row, space, signed=title.kind == "spring")
+            for row, (name, title) in enumerate(titles.items())
+        },
         looks={name: Look(**look) for name, look in about["faces"].items()},
         titles=titles,
         hair=_hair(arrays),
@@ -106,7 +109,7 @@ def _space(arrays: Arrays, generic: Face) -> ParameterSpace:
     return head_space(generic.positions.astype(np.float64), arrays["triangles"], parts, arrays["jaw"], arrays["sheet"])
 
 
-def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace) -> Expression:
+def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace, *, signed: bool) -> Expression:
     rests = {part: arrays[f"rest/{part}"][row] for part in PARTS}
     inner = len(arrays["residual"][row])
     if inner != len(space.inner.vertices):
@@ -126,4 +129,5 @@ def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace) -> E
         name=name,
         ears=arrays["ears"][row],
         head=arrays["head"][row],
+        signed=signed,
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterable, Mapping
+from dataclasses import is_dataclass
 from functools import lru_cache
 from numbers import Real
 from types import NoneType, UnionType
@@ -66,8 +67,8 @@ def check_fields(message: ClientMessage) -> ClientMessage:
     changed = {}
     for field, hint in _hints(type(message)):
         value = getattr(message, field)
-        if type(value) in (bytes, NoneType):
-            continue
+        if type(value) in (bytes, NoneType) or (is_dataclass(hint) and type(value) is hint):
+            continue  # values of the engine are checked when they are made
         plain = _plain(value)
         try:
             converted = msgspec.convert(plain, hint)
@@ -109,6 +110,8 @@ def explain(hint: Any) -> str:
         return f"a list of {explain(inner[0])}"
     if origin is tuple:
         return f"{len(inner)} numbers"
+    if is_dataclass(hint) and isinstance(hint, type):
+        return f"an omote.{hint.__name__}"
     return _NOUNS.get(hint, "what the reference says")
 
 

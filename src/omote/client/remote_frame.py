@@ -14,6 +14,7 @@ from omote.perform.frame import (
     Held,
     Home,
     LayerStatus,
+    MacroStatus,
     MotionSettings,
     PadStatus,
     SourceStatus,
@@ -50,7 +51,9 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         clips=tuple(
             ClipStatus(**{**msgspec.structs.asdict(clip), "missing": tuple(clip.missing)}) for clip in character.clips
         ),
+        macros={name: MacroStatus(macro.value, macro.share) for name, macro in character.macros.items()},
         pads={name: PadStatus(tuple(point.place), point.plays) for name, point in character.pads.items()},
+        springs={str(name): amount for name, amount in character.springs.items()},
     )
 
 

@@ -22,6 +22,7 @@ from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import check_language
+from omote.perform.springs.cast_springs import check_spring
 from omote.show.declaration import ClientMessage
 from omote.show.osc import CALL_SECONDS, ROOT, Value
 from omote.show.ownership.parts import find_part
@@ -29,11 +30,11 @@ from omote.show.ownership.parts import find_part
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
-    "gesture": check_gesture, "language": check_language,
+    "gesture": check_gesture, "language": check_language, "spring": check_spring,
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
-NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character")
+NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character", "spring")
 """What is called by a name."""
 BUTTON = (0.0, 1.0)
 """What a button sends, as decimals or true and false: where the number of a cue may be left out it is let go or
@@ -44,12 +45,13 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, where
-    they are listed."""
+    """Whose names a message can have. characters: what people call each, by name; pads: the dimensions of each, macros:
+    those of each character, where they are listed."""
 
     cast: Playable
     characters: Mapping[str, str]
     pads: Mapping[str, int] = MappingProxyType({})
+    macros: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
 class Level(NamedTuple):
@@ -263,6 +265,7 @@ def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
 
 SCENE_NAMES: Mapping[str, Callable[[str, Mapping[str, str]], str | list[str]]] = {
     "framing": _characters, "character": find_character, "text": lambda text, _: text, "pad": lambda text, _: text,
+    "macro": lambda text, _: text,
 }  # fmt: skip
 """What finds the names of a scene, by its characters' names and labels."""
 

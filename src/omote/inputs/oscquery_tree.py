@@ -16,6 +16,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.osc import ROOT, Value
 from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 
@@ -33,6 +34,7 @@ ATTRIBUTES = ("FULL_PATH", "CONTENTS", "TYPE", "ACCESS", "RANGE", "VALUE", "DESC
 """What can be asked for by itself; every node has the first and ACCESS."""
 HOST_INFO = "HOST_INFO"
 NO_PADS: Mapping[str, int] = {}
+NO_MACROS: Mapping[str, Sequence[str]] = {}
 Transport = Literal["UDP", "TCP"]
 
 
@@ -47,12 +49,18 @@ def host_info(name: str, port: int, transport: Transport = "UDP") -> dict[str, A
     return {"NAME": name, "OSC_PORT": port, "OSC_TRANSPORT": transport, "EXTENSIONS": extensions}
 
 
-def build_addresses(cast: Playable, characters: Iterable[str], pads: Mapping[str, int] = NO_PADS) -> Node:
-    """The tree of all addresses without values: the same as long as cast, characters and pads are.
+def build_addresses(
+    cast: Playable,
+    characters: Iterable[str],
+    pads: Mapping[str, int] = NO_PADS,
+    macros: Mapping[str, Sequence[str]] = NO_MACROS,
+) -> Node:
+    """The tree of all addresses without values: the same as long as cast, characters, pads and macros are.
 
-    pads: the dimensions of each, by name."""
+    pads: the dimensions of each, by name; macros: the names of those of each character.
+    """
     root = _container("/")
-    names = Names(cast, {name: name for name in characters}, pads)
+    names = Names(cast, {name: name for name in characters}, pads, macros)
     for address in ADDRESSES:
         for owner in [""] if address.of_show else names.characters:
             for path in _paths(address, owner, names):
@@ -85,7 +93,7 @@ def find_node(root: Node, path: str) -> Node | None:
 def _paths(address: Address, owner: str, names: Names) -> list[str]:
     """The full paths of an address for a character; one for each name where a name stands in the path."""
     own = _own_path(address, owner)
-    choices = product(*(_names(value, names) for value in address.values[: own.count("{")]))
+    choices = product(*(_names(value, names, owner) for value in address.values[: own.count("{")]))
     return [fill_places(own, chosen) for chosen in choices]
 
 
@@ -124,17 +132,21 @@ def _range(value: Value, names: Names) -> dict[str, Any] | None:
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, names)}
 
 
-def _names(value: Value, names: Names) -> list[str]:
+def _names(value: Value, names: Names, owner: str = "") -> list[str]:
+    """The names that a value can have. owner: the character in its address."""
     if value.kind == "character":
         return [*names.characters]
     if value.kind == "framing":
         return [ALL, *names.characters]
     if value.kind == "pad":
         return [*names.pads]
+    if value.kind == "macro":
+        return [*names.macros.get(owner, ())]
     if value.kind == "text":
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
+        "spring": SPRING_NAMES,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:

@@ -18,13 +18,16 @@ UNIT_NOUNS = ("expression", "channel")
 """What may be named by an action unit of FACS too."""
 _FIXED = (
     "gesture", "kind of timing", "kind of what eyes look at", "language", "layer", "part", "region of a layer",
-    "part of a character to hold", "step", "tracker", "viseme", "way to send a face",
+    "part of a character to hold", "spring", "step", "tracker", "viseme", "way to send a face",
     "cue of this list", "part of this cue", "way to go on after a cue",
     "lane of this clip",
 )  # fmt: skip
 PLACES: Mapping[str, str] = {
     **dict.fromkeys(("character", "removed character", "gaze point"), " in this scene"),
-    **dict.fromkeys(("performer", "source", "voice", "variant of a voice", "list of cues", "clip"), " in this show"),
+    **dict.fromkeys(
+        ("performer", "source", "voice", "variant of a voice", "list of cues", "clip", "set-up"), " in this show"
+    ),
+    **dict.fromkeys(("macro", "change of a macro"), " of this character"),
     **dict.fromkeys(_FIXED, ""),
 }
 """Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""

@@ -204,7 +204,7 @@ def played(axis: Axis, pad: str, place: PadPlace, mix: Weights, seconds: float, 
     another plays, 0 cuts; easing: the curve of that. No T-bar moves such an axis.
     """
     if axis.point is not None and axis.point.pad == pad and seconds:
-        return replace(axis, point=point_moved(axis.point, place, mix))
+        return with_fields(axis, point=point_moved(axis.point, place, mix))
     taken = called(axis, _heaviest(mix), seconds, easing, dict(mix))
     return replace(taken, point=point_at(pad, place, mix))
 

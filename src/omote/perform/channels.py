@@ -30,6 +30,10 @@ GAZE_UNITS: Mapping[str, tuple[int, int]] = {
 """The units that turn an eyeball, and which angle of which eye each one turns; its sign is the unit's own."""
 
 
+SIGNED_LOWEST = -1.0
+"""The smallest weight of a signed channel: no spring goes further (`springs.spring.RANGES`)."""
+
+
 def highest_weight(expressions: Mapping[str, Expression], name: str) -> float:
     """The largest weight that a channel has on air: of a unit that turns an eye, what the widest gaze makes of it.
 
@@ -41,6 +45,15 @@ def highest_weight(expressions: Mapping[str, Expression], name: str) -> float:
     own = abs(float(expressions[name].eyes[eye, direction]))
     widest = tuple(GAZE_LIMITS.values())[direction]
     return max(CHANNEL_HIGHEST, widest / own) if own else CHANNEL_HIGHEST
+
+
+def lowest_weight(expressions: Mapping[str, Expression], name: str) -> float:
+    """The smallest weight that a channel has on air: of a signed one, which springs play, as far as the largest of a
+    spring.
+
+    expressions: those of the cast, by name; name: of the channel.
+    """
+    return SIGNED_LOWEST if name in expressions and expressions[name].signed else CHANNEL_LOWEST
 
 
 def with_channel(

@@ -273,6 +273,15 @@ class LayerStatus:
 
 
 @dataclass(frozen=True)
+class MacroStatus:
+    """A macro now: where hands have it, -1 to 1, and how much of it shows, 0 to 1: its condition, and whether a hand
+    has moved it since the last panic."""
+
+    value: float
+    share: float
+
+
+@dataclass(frozen=True)
 class ClipStatus:
     """A clip that a character plays, for those who look on. name: of the clip; elapsed: seconds from its start, of
     `seconds`; share: how much of it shows, 0 to 1; loop: whether it begins again; missing: expressions and channels of
@@ -311,8 +320,9 @@ class Frame:
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
-    nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `pads`:
-    those whose points have been moved since the last panic.
+    nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `macros`:
+    all that the character has. `pads`: those whose points have been moved since the last panic.
+    `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: Mapping[str, float]
@@ -338,7 +348,9 @@ class Frame:
     speech: SpeechStatus | None = None
     spoken: str = ""
     clips: tuple[ClipStatus, ...] = ()
+    macros: Mapping[str, MacroStatus] = field(default_factory=dict)
     pads: Mapping[str, PadStatus] = field(default_factory=dict)
+    springs: Mapping[str, float] = field(default_factory=dict)
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

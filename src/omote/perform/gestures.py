@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Literal, get_args
 
+from omote.model.space.expression import Expression
+from omote.perform.channels import channels_of
 from omote.perform.easing import EASINGS
 from omote.perform.frame import Frame, Head, Held, with_fields
 from omote.perform.limits import FOREVER, HEAD_LIMITS, check_known, check_within
@@ -163,17 +165,20 @@ def advance_gestures(running: tuple[Gesture, ...], dt: float) -> tuple[Gesture, 
     return tuple(gesture for gesture in later if not gesture.ended)
 
 
-def with_gestures(frame: Frame, running: tuple[Gesture, ...], names: Container[str], held: Held) -> Frame:
+def with_gestures(
+    frame: Frame, running: tuple[Gesture, ...], expressions: Mapping[str, Expression], held: Held
+) -> Frame:  # fmt: skip
     """A frame with what gestures add: angles to the head, and to channels what is still open.
 
     running: those under way.
 
-    names: of the channels that there are. held: what hands hold, which is no longer what is on air.
+    expressions: those of the cast, by name, which are the channels too. held: what hands hold, which is no longer what
+    is on air.
     """
     if not running:
         return frame
     angles = {"yaw": frame.head.yaw, "pitch": frame.head.pitch, "roll": frame.head.roll}
-    channels = dict(frame.channels)
+    channels = channels_of(expressions, frame)
     for gesture in running:
         curves = CURVES[gesture.name]
         share = gesture.elapsed / gesture.seconds
@@ -184,7 +189,7 @@ def with_gestures(frame: Frame, running: tuple[Gesture, ...], names: Container[s
             where = name if gesture.amplitude >= 0.0 else mirror_channel(name)
             added = min(abs(strength) * value_at(curve, share), 1.0)
             before = channels.get(where, 0.0)
-            if where in names and added:
+            if where in expressions and added:
                 channels[where] = before + added * max(1.0 - before, 0.0)
     head = Head(**{angle: min(max(turn, -HEAD_LIMITS[angle]), HEAD_LIMITS[angle]) for angle, turn in angles.items()})
     return with_fields(frame, head=head, channels=channels, held=held if frame.held is None else frame.held)

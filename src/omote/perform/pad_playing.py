@@ -24,7 +24,7 @@ class PadPlaying(CalledMix):
     def move_pad(self, pad: Pad, x: float | None = None, y: float | None = None, z: float | None = None) -> None:
         """Moves the point of a pad: what the pad plays shows the mixture of its looks there, without a jump.
 
-        What shows makes way in a quarter of a second where something else has played it; from then on it follows the
+        What shows makes way in a third of a second where something else has played it; from then on it follows the
         point. Who moves a pad or calls last has the part that it plays; a pad of the whole face that is taken up takes
         all regions with it, as a call does, and leaves alone those that are taken from it while it is moved on.
 

@@ -36,6 +36,7 @@ from omote.perform.layers.source_frame import (
     with_gaze_of_units,
 )
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.mappings.macros import NO_MACROS, NO_STATUSES, macro_statuses
 from omote.perform.mix import combine, mix_in
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
@@ -59,13 +60,14 @@ from omote.perform.speech.speaking import (
     speech_status,
 )
 from omote.perform.speech.visemes import speech_frame
-from omote.perform.speech_playing import SpeechPlaying
+from omote.perform.spring_playing import SpringPlaying
+from omote.perform.springs.springs import release_springs
 
 MOMENT = 1e-4
 """Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
-class Performer(SpeechPlaying):
+class Performer(SpringPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -99,7 +101,6 @@ class Performer(SpeechPlaying):
         self._cast = cast
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
         self._layers: Layers | None = None
-        self._last_held = Held()
         self._worn = {}
 
     @classmethod
@@ -137,6 +138,7 @@ class Performer(SpeechPlaying):
 
     def _go_on(self, snapshot: Snapshot) -> None:
         self._now = replace(snapshot, layers=None)
+        self._last_sources = ()
         self._layers = restored(self._cast, snapshot.layers)
 
     def snapshot(self) -> Snapshot:
@@ -420,7 +422,7 @@ class Performer(SpeechPlaying):
         now = self._now
         if now.panicked is None:
             soon = self._show_soon()
-            now = self._without_layers(_at_rest(self._with_played_mixes(now, soon[0])))
+            now = self._without_layers(_at_rest(self._with_played_mixes(now, soon[0]), self._held()))
             if now.easing_to_rest is not None:
                 now = replace(now, easing_to_rest=at_speed(now.easing_to_rest, *soon, MOMENT))
         elif is_home_next(now):
@@ -471,11 +473,12 @@ class Performer(SpeechPlaying):
             easing_to_rest=ease_later(now.easing_to_rest, dt),
             time=now.time + dt,
         )
+        self._advance_macros(dt)
         self._move(dt)
         self._speak(dt)
         self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
-        return self._frame()
+        return self._with_springs(self._frame(), dt, self._held())
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
         """Takes one frame of a source that is checked already, as `drive`.
@@ -582,14 +585,6 @@ class Performer(SpeechPlaying):
     def _begun_layers(self) -> Layers:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
 
-    def _held(self) -> Held:
-        """What hands hold; the same object until a hand moves."""
-        now = self._now
-        held = self._last_held
-        if held.channels is not now.channels or held.head is not now.head or held.gaze is not now.gaze:
-            self._last_held = held = Held(now.channels, now.head, now.gaze)
-        return held
-
     def _advance_layers(self, before: Layers | None, dt: float) -> Layers | None:
         if before is None:
             return None
@@ -597,20 +592,21 @@ class Performer(SpeechPlaying):
         return None if is_at_rest(layers) else layers
 
     def _frame(self) -> Frame:
-        return with_gestures(self._frame_without_gestures(), self._now.gestures, self._cast.expressions, self._held())
+        return with_gestures(
+            self._frame_without_gestures(), self._now.gestures, self._cast.expressions, self.held_by_faders
+        )
 
     def _frame_without_gestures(self) -> Frame:
         now = self._now
-        frame = _frame(now)
+        held = self._held()
+        frame = _frame(now, held)
         if now.clips:
             frame = with_fields(frame, clips=self._clip_statuses())
         if now.pads:
             frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
-            frame = with_layers(
-                frame, self._layers, self._cast.expressions, self._held(), now.easing_to_rest, self._mixes
-            )
-        return frame
+            frame = with_layers(frame, self._layers, self._cast.expressions, held, now.easing_to_rest, self._mixes)
+        return self._with_faders(frame) if self._sources() else frame
 
     def _show_soon(self) -> tuple[Frame, Frame]:
         """What would show a moment and two moments later, beside gestures; what shows now where that cannot be told:
@@ -660,8 +656,8 @@ class Performer(SpeechPlaying):
         return replace(rested, easing_to_rest=EasingToRest(frame.channels, frame.head, frame.gaze))
 
 
-def _at_rest(now: Snapshot) -> Snapshot:
-    easing_to_rest = EasingToRest(**vars(eased(Held(now.channels, now.head, now.gaze), now.easing_to_rest)))
+def _at_rest(now: Snapshot, held: Held) -> Snapshot:
+    easing_to_rest = EasingToRest(**vars(eased(held, now.easing_to_rest)))
 
     def rest(on: Axis) -> Axis:
         return axis.called(replace(on, hand=0.0), NEUTRAL, PANIC_SECONDS, PANIC_EASING)
@@ -680,19 +676,21 @@ def _at_rest(now: Snapshot) -> Snapshot:
         else replace(set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)), lost=False),
         speaking=None,
         gestures=release_gestures(now.gestures),
+        macros=NO_MACROS,
         pads={},
+        springs=release_springs(now.springs),
     )
 
 
 _NOTHING = Frame({}, {})
 
 
-def _frame(now: Snapshot) -> Frame:
+def _frame(now: Snapshot, held: Held) -> Frame:
     return with_fields(
         _NOTHING,
         faces=axis.weights(now.face),
         expressions=axis.weights(now.expression),
-        **vars(eased(Held(now.channels, now.head, now.gaze), now.easing_to_rest)),
+        **vars(eased(held, now.easing_to_rest)),
         time=now.time,
         face_call=axis.status(now.face),
         expression_call=axis.status(now.expression),
@@ -708,4 +706,5 @@ def _frame(now: Snapshot) -> Frame:
         motion=None if now.motion is None else now.motion.settings,
         speech=speech_status(now.speaking),
         spoken=now.spoken,
+        macros=macro_statuses(now.mappings.kept, now.macros) if now.mappings.kept else NO_STATUSES,
     )

@@ -26,11 +26,14 @@ from omote.perform.limits import (
     check_known,
     check_within,
 )
+from omote.perform.mappings.kept_mappings import NO_MAPPINGS, Mappings, check_mappings
+from omote.perform.mappings.macros import NO_MACROS, Macros, channels_given, check_macros
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
+from omote.perform.springs.springs import Springs, check_springs
 
 
 class Playable(Protocol):
@@ -70,7 +73,8 @@ class Snapshot:
     while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
     is said; `said` counts all that was, `spoken` is the key of what was said to its end last. `gestures`: those that
     run. `clips`: those that play, the oldest first; `played` counts all. `pads`: where the points of pads are that have
-    been moved.
+    been moved. `mappings`: what macros play; `macros`: those that were moved.
+    `springs`: how much of them is set and how they move, None while none has moved.
     """
 
     face: Axis
@@ -93,7 +97,10 @@ class Snapshot:
     gestures: tuple[Gesture, ...] = ()
     clips: tuple[ClipRun, ...] = ()
     played: int = 0
+    mappings: Mappings = NO_MAPPINGS
+    macros: Macros = NO_MACROS
     pads: Mapping[str, PadPlace] = field(default_factory=dict)
+    springs: Springs | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -132,9 +139,12 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_speaking(snapshot.speaking)
     check_gestures(snapshot.gestures)
     check_runs(snapshot.clips)
+    check_mappings(snapshot.mappings)
+    check_macros(snapshot.macros, snapshot.mappings.kept)
     check_within(len(snapshot.pads), 0, MOST_PADS, "the number of pads that have been moved")
     for name, place in snapshot.pads.items():
         _check_point(name, place)
+    check_springs(snapshot.springs)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:
@@ -174,7 +184,8 @@ def _is_beyond(angle: object, limit: float) -> bool:
 
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
-    channels = frozenset(snapshot.channels) | names_driven(snapshot.layers)
+    given = channels_given(snapshot.macros, snapshot.mappings.kept)
+    channels = frozenset(snapshot.channels) | names_driven(snapshot.layers) | given
     if snapshot.easing_to_rest is not None:
         channels |= frozenset(snapshot.easing_to_rest.channels)
     expressions = frozenset[str]().union(*map(axis_names, (snapshot.expression, *snapshot.regions.values())))

@@ -9,7 +9,7 @@ import msgspec
 from omote.show.declaration import Name
 
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
-Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "own"]
+Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "spring", "own"]
 
 
 class Look(msgspec.Struct, frozen=True):

@@ -92,6 +92,8 @@ class Session(Protocol):
     cues: Any
     clips: Any
     wishes: list[Any]
+    learning: Any
+    setups: set[str]
     recorder: Any
     recording_requests: list[Any]
     cancelled: list[str]
@@ -109,6 +111,9 @@ class Session(Protocol):
 
     def clock(self, now: float) -> float:
         """The show's clock."""
+
+    def finish_mapping(self, now: float, *, keeps: bool) -> Sequence[Outgoing]:
+        """Ends the learning of a mapping. now: seconds, monotonic; keeps: whether it becomes one."""
 
     def ask_to_speak(self, who: str, message: Any, characters: Sequence[str]) -> None:
         """Has a voice speak a text for characters. who: the client; message: with the text; characters: their names."""

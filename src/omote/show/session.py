@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Protocol
 
 import msgspec
 
@@ -29,6 +28,7 @@ from omote.show.declaration import (
     check_ranges,
 )
 from omote.show.executed_calls import ExecutedCalls
+from omote.show.mapping_learning import MappingLearning
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
@@ -49,6 +49,7 @@ from omote.show.speech.named_sounds import NamedSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
 from omote.show.state import EyeOffset, offset_between, preview_state, state_of
+from omote.show.told_mappings import ToldMappings
 from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
 
@@ -56,8 +57,11 @@ MOST_DEVICE_MESSAGES = 4096
 """Of devices, between two ticks."""
 
 
-class Recorder(Protocol):
-    """Notes what a session does (`recording/recorder.py`)."""
+class Unrecorded:
+    """Notes nothing of what a session does: what a recorder (`recording/recorder.py`) is asked for."""
+
+    records = False
+    """Whether there is a recording, whose moments can be marked."""
 
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
@@ -121,10 +125,12 @@ class ShowSession:
         self.sounds = KnownSounds()
         self._sent_sounds: dict[str, float] = {}
         self.named_sounds = NamedSounds(self._tell_sounds)
-        self.recorder: Recorder | None = None
-        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
+        self.recorder = Unrecorded()
+        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, lambda: self.recorder.note_edit())
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
         self.preview_state: State | None = None
+        self.plays_preview = True
+        """Not in a replay: what a take and a record read of the preview stands before them in the recording."""
         self.lost: list[str] = []
         self.clips = ShowClips(
             lambda: self.scene,
@@ -132,11 +138,14 @@ class ShowSession:
             lambda sound: self.sounds.check(sound),
             self.list_documents,
             lambda message: self.act("", message, self._now or 0.0),
-            self._note_clips,
+            lambda: self.recorder.note_clips(),
             lambda said: self.lost.append(said),
         )
         self._pads = PadListing(self.scene.pads, cast)
         self.texts = TextsToSpeak()
+        self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
+        self.setups = set[str]()
+        self.learning = MappingLearning(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
         self._own(None)
@@ -207,7 +216,10 @@ class ShowSession:
         unseen = message.follows_bus and self.members.looks_at(who) == "preview"
         if not unseen:
             self._pass_hands(who, message, find_addressed(self.scene, message), now)
+        touched = {} if unseen or not self.learning.is_learner(who) else self.learning.positions(message)
         answers = self.act(who, message, now, unseen=unseen)
+        if touched:
+            self.learning.touch(message, touched, now)
         self.commands += message.open_to == "consoles"
         self._echo(who, message, now, unseen=unseen)
         return list(answers)
@@ -219,7 +231,7 @@ class ShowSession:
         with refuse_errors(message):
             check_ranges(message)
             answers = message.act(self.preview.session(self) if unseen else self, who, now)
-        if self.recorder is not None and message.recorded and not unseen:
+        if message.recorded and not unseen:
             self.recorder.note_message(who, message, now)
         return answers
 
@@ -268,8 +280,7 @@ class ShowSession:
         except (KeyError, ValueError, TypeError):  # a Refusal is a ValueError
             return False
         self.commands += len(values)
-        if self.recorder is not None:
-            self.recorder.note_channels(who, character, values, now)
+        self.recorder.note_channels(who, character, values, now)
         self._hands.note_channels(who, character, values, now)
         self.leasing.note(who, message, (character,))
         return True
@@ -281,10 +292,11 @@ class ShowSession:
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
         self._told += self.clips.end_passes()
+        if self.learning.is_over(now):
+            self._told += self.finish_mapping(now, keeps=True)
         speak_lines(self, now)
         state = self._state(elapsed)
-        if self.recorder is not None:
-            self.recorder.note_tick(now)
+        self.recorder.note_tick(now)
         return state
 
     def resume(self, now: float | None, number: int, eye_offsets: Mapping[str, EyeOffset]) -> None:
@@ -293,14 +305,6 @@ class ShowSession:
         self._now = now
         self.number = number
         self._eye_offsets = dict(eye_offsets)
-
-    def _note_clips(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_clips()
-
-    def _note_edit(self) -> None:
-        if self.recorder is not None:
-            self.recorder.note_edit()
 
     @property
     def now(self) -> float | None:
@@ -320,7 +324,7 @@ class ShowSession:
         cues = self.cues.status(self._now or 0.0)
         sounds = self.sounds.find
         state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, sounds=sounds, **numbers)
-        self.preview_state = self._unseen(state) if self.members.any_in_preview else None
+        self.preview_state = self._unseen(state) if self.plays_preview and self.members.any_in_preview else None
         return state
 
     def _unseen(self, air: State) -> State | None:
@@ -357,8 +361,7 @@ class ShowSession:
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
         self.revision += 1
-        if self.recorder is not None:
-            self.recorder.note_recast(cast.digest)
+        self.recorder.note_recast(cast.digest)
         return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
@@ -410,13 +413,14 @@ class ShowSession:
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed. who: the client."""
+        if self.learning.is_learner(who):
+            self.learning.end(keeps=False)
         self.members.leave(who, lost=lost)
         if not self.preview.touched and not self.members.any_in_preview:
             self.preview.forget()
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
-        if self.recorder is not None:
-            self.recorder.note_left(who)
+        self.recorder.note_left(who)
 
     def set_sounds(self, seconds: dict[str, float]) -> None:
         """Notes the sounds that programs have sent and that there are now, and no others, with their seconds."""
@@ -427,8 +431,7 @@ class ShowSession:
         seconds = {**self._sent_sounds, **self.named_sounds.seconds()}
         called = self.named_sounds.called()
         self.sounds.set(seconds, called)
-        if self.recorder is not None:
-            self.recorder.note_sounds(seconds, called)
+        self.recorder.note_sounds(seconds, called)
 
     def _tell_sounds(self) -> None:
         self._note_sounds()
@@ -460,13 +463,11 @@ class ShowSession:
         leases = self.leasing.tell(now)
         news = self.sources.news(consoles, now)
         taken = {} if news is None else self.sources.take_over(self.scene, now)
-        if self.recorder is not None:
-            for source, route in taken.items():
-                self.recorder.note_routed(source, route)
+        for source, route in taken.items():
+            self.recorder.note_routed(source, route)
         pads = self._pads.news(self.scene.pads, self.cast, now)
-        self._told += [] if pads is None else self.for_consoles(pads)
-        work = self.clips.news()
-        told = [] if work is None else self.for_consoles(work)
+        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news(), pads)
+        told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
         on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
@@ -480,6 +481,12 @@ class ShowSession:
         if len(self.device_messages) >= MOST_DEVICE_MESSAGES:
             raise Refusal("too much comes from devices at once, and this was not played: send less.")
         self.device_messages.append((who, message))
+
+    def finish_mapping(self, now: float, *, keeps: bool) -> list[Outgoing]:
+        """Ends the learning of a mapping, by messages of who taught it; returns what is answered. now: seconds,
+        monotonic; keeps: whether it becomes one."""
+        who, messages = self.learning.end(keeps=keeps)
+        return [answer for message in messages for answer in self.receive(who, message, now)]
 
     def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
         """Takes characters out of all hands: a client (who) has pressed panic, at `now` (seconds, monotonic)."""
@@ -499,8 +506,7 @@ class ShowSession:
     def reject_line(self, said: str) -> None:
         """Tells consoles why (said) a line of a cue was not said."""
         self.cues.reject(said)
-        if self.recorder is not None:
-            self.recorder.note_rejected(said)
+        self.recorder.note_rejected(said)
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""
@@ -523,6 +529,8 @@ class ShowSession:
         lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
         if hello.role == "console" and self.clips.work != NO_WORK:
             lists.append(Outgoing(who, self.clips.work))
+        if hello.role == "console" and (mappings := self.mappings.list_now()).mappings:
+            lists.append(Outgoing(who, mappings))
         if hello.role == "console" and self.named_sounds.sounds:
             lists.append(Outgoing(who, self.named_sounds.message()))
         if hello.role == "console" and self.scene.pads:

@@ -15,6 +15,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, ClipStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
+from omote.perform.springs.cast_springs import check_spring
 from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
@@ -25,6 +26,7 @@ from omote.show.objects.state import (
     HeldState,
     LayerSource,
     LayerState,
+    MacroState,
     MotionState,
     PadPointState,
     Place,
@@ -154,6 +156,7 @@ def character_state(
         panics=frame.panics,
         **_home(frame),
         clips=[_clip_state(clip, sounds) for clip in frame.clips],
+        springs={check_spring(name): amount for name, amount in frame.springs.items()},
         **_layers(frame),
         motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,
@@ -162,6 +165,7 @@ def character_state(
         leaves=character.leaves,
         regions={region: dict(mix) for region, mix in frame.regions.items()},
         region_calls={region: call_state_of(status) for region, status in frame.region_calls.items()},
+        macros={name: MacroState(macro.value, macro.share) for name, macro in frame.macros.items()},
         pads={name: PadPointState(list(point.place), point.plays) for name, point in frame.pads.items()},
     )
 

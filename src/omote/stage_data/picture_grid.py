@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from omote.interchange.formats.file_names import Kind
+from omote.stage_data.clip_poses import ClipPoses
 from omote.stage_data.picture_request import RenderRequest, Request, plan_cells, spell_kinds
 from omote.stage_data.picture_setting import Setting, refuse_count
 from omote.stage_data.playing_cast import PlayingCast, kinds_of
@@ -58,13 +59,17 @@ def spell_out(request: Request, cast: PlayingCast) -> Request:
     return request if isinstance(request, RenderRequest) else spell_kinds(request, kinds_of(cast))
 
 
-def lay_out(request: Request, cast: Cast | PlayingCast) -> PictureGrid:
+def lay_out(request: Request, cast: Cast | PlayingCast, clips: ClipPoses | None = None) -> PictureGrid:
     """What a request asks for, one picture as a table of one; ValueError for unknown names and invalid numbers.
 
-    cast: in which the names are looked up.
+    cast, clips: in which the names are looked up; None: there are no clips.
     """
     if isinstance(request, RenderRequest):
-        return PictureGrid([[pose_of(cast, find_pose(cast, request.words))]])
+        frame = find_pose(cast, request.words)
+        if request.clip:
+            moved = (clips or ClipPoses(cast, {})).frame(request.clip, request.at)
+            frame = replace(moved, faces=frame.faces, light=frame.light)
+        return PictureGrid([[pose_of(cast, frame)]])
     plan = plan_cells(request)
     poses = [[pose_of(cast, find_pose(cast, cell.words)) for _, cell in row] for row in plan.cells]
     return PictureGrid(poses, plan.rows, plan.columns) if request.labels else PictureGrid(poses)

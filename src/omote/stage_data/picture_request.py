@@ -16,6 +16,8 @@ from omote.stage_data.picture_setting import Setting, read_size, refuse_count, s
 from omote.stage_data.pose_words import PoseWords, read_pose, read_weights
 
 MOST_STEPS = 1000
+CLIPS_OWN = ("expression", "channel", "turn", "gaze")
+"""What a motion clip says of a picture; face and light are asked for beside it."""
 RESERVED = frozenset(
     {"CON", "PRN", "AUX", "NUL", *(f"{port}{number}" for port in ("COM", "LPT") for number in range(10))}
 )
@@ -52,7 +54,10 @@ class PictureOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
 
 
 class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="render"):
-    """One picture: faces, expressions and channels with their weights; angles in degrees."""
+    """One picture: faces, expressions and channels with their weights; angles in degrees.
+
+    clip: a motion clip of the show file in place of all but the faces, "" for none; at: its second, whatever its speed.
+    """
 
     size: str = "640x720"
     face: tuple[str, ...] = ("generic",)
@@ -60,10 +65,16 @@ class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="comman
     channel: tuple[str, ...] = ()
     turn: str = ""
     gaze: str = ""
+    clip: str = ""
+    at: float = 0.0
 
     @property
     def words(self) -> PoseWords:
-        """The pose; ValueError for what is not understood or out of range."""
+        """The pose; ValueError for what is not understood or out of range, and for what a clip has of its own."""
+        if self.at and not self.clip:
+            raise ValueError(f"the second {self.at:g} is of no clip; name the clip too")
+        if self.clip and (own := [name for name in CLIPS_OWN if getattr(self, name)]):
+            raise ValueError(f"the clip {self.clip} has {' and '.join(own)} of its own; leave that out")
         face, expression, channel = ("+".join(parts) for parts in (self.face, self.expression, self.channel))
         angles = {"turn": self.turn, "gaze": self.gaze}
         return read_pose(face=face, expression=expression, channel=channel, light=self.light, **angles)

@@ -8,12 +8,17 @@ import difflib
 import io
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from omote.perform.clips.clip import FASTEST as FASTEST_MOTION
+from omote.perform.clips.clip import LONGEST_SHIFT, Clip
+from omote.perform.clips.clip import SLOWEST as SLOWEST_MOTION
 from omote.perform.easing import DEFAULT_EASING, EASINGS
+from omote.perform.limits import check_known
+from omote.stage_data.clip_poses import MOST_FRAMES, ClipPoses, count_frames
 from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import RenderRequest, check_request, file_name
 from omote.stage_data.picture_setting import CONTRASTS, LUMINANCES
@@ -26,19 +31,39 @@ if TYPE_CHECKING:
 NAME = "name"
 BEGINNINGS = {"from_face": "face", "from_expression": "expression"}
 """Where a clip begins, by the column of where it ends."""
-CLIP = ("seconds", "fps", "easing")
+TRANSITION = ("seconds", "easing", *BEGINNINGS)
+"""What a clip has that goes from one face or expression to another."""
+MOTION = ("from", "to", "speed")
+"""What a motion clip has: the seconds of it that are drawn, and how fast it goes."""
+FILMED = ("fps", "format")
+"""What both have."""
+PICTURES = "png"
+FORMATS = (PICTURES, "mov", "webm")
+"""What a clip becomes: pictures, and a film of them too."""
 RENDERED = tuple(field for field in RenderRequest.__struct_fields__ if field != "show")
-COLUMNS = (NAME, *RENDERED, *BEGINNINGS, *CLIP)
-NUMBERS = {"luminance": LUMINANCES, "contrast": CONTRASTS}
+COLUMNS = (NAME, *RENDERED, *TRANSITION, *MOTION, *FILMED)
+SECONDS = (0.0, LONGEST_SHIFT)
+NUMBERS = {"luminance": LUMINANCES, "contrast": CONTRASTS, "at": SECONDS}
 """Columns of numbers, with the least and the largest."""
 MIXES = ("face", "expression", "channel")
 """Columns of which a request holds tuples."""
 FPS = 25.0
 FASTEST = 240.0
 LONGEST = 60.0
-"""Seconds of a clip."""
-MOST_PICTURES = 20_000
+"""Seconds from one expression to another."""
+OF_CLIPS = {
+    "seconds": (0.01, LONGEST),
+    "fps": (1.0, FASTEST),
+    "from": SECONDS,
+    "to": SECONDS,
+    "at": SECONDS,
+    "speed": (SLOWEST_MOTION, FASTEST_MOTION),
+}
+"""Columns of numbers that are of clips."""
+MOST_PICTURES = MOST_FRAMES
 LEAST_WEIGHT = 1e-9
+SAME_TIME = 1e-6
+"""Seconds by which an end that was typed may lie behind the clip's own."""
 TYPO = 0.75
 """A heading as near as this to a column's is a slip, and nothing of the experiment's own."""
 YES = ("1", "yes", "true", "on")
@@ -56,13 +81,24 @@ class TableError(ValueError):
 
 @dataclass(frozen=True)
 class Stimulus:
-    """One row: its name, what is drawn frame by frame (one, of a picture), frames a second of a clip, else 0; cells:
-    the row as it stands in the table, by heading."""
+    """One row: its name, what is drawn frame by frame (one, of a picture), frames a second of a clip, else 0.
+
+    row: its number, as a spreadsheet counts; cells: the row as it stands in the table, by heading; format: of
+    `FORMATS`; clip: the motion that is drawn, trimmed and at its speed; None: no motion clip.
+    """
 
     name: str
     frames: tuple[RenderRequest, ...]
     fps: float
+    row: int
     cells: Mapping[str, str]
+    format: str = PICTURES
+    clip: Clip | None = None
+
+    @property
+    def film(self) -> str:
+        """The name of its film, "" for none."""
+        return "" if self.format == PICTURES else f"{self.name}.{self.format}"
 
     @property
     def files(self) -> list[str]:
@@ -72,11 +108,13 @@ class Stimulus:
         return [f"{self.name}/{number:04d}.png" for number in range(1, len(self.frames) + 1)]
 
 
-def read_stimuli(data: bytes, cast: Cast | PlayingCast, /, *, show: str = "") -> tuple[list[Stimulus], list[str]]:
+def read_stimuli(
+    data: bytes, cast: Cast | PlayingCast, /, *, show: str = "", clips: ClipPoses | None = None
+) -> tuple[list[Stimulus], list[str]]:
     """The rows of a CSV, and the headings that are the experiment's own and say nothing here.
 
-    data: the file; cast: which faces and expressions may be named; show: the show file of that cast, "" for none.
-    TableError with everything that is wrong.
+    data: the file; cast, clips: which faces, expressions and motion clips may be named; show: the show file of both, ""
+    for none. TableError with everything that is wrong.
     """
     heading, rows = _read_rows(data)
     own = [name for name in heading if name and name not in COLUMNS]
@@ -84,7 +122,7 @@ def read_stimuli(data: bytes, cast: Cast | PlayingCast, /, *, show: str = "") ->
     wrong += [f"row 1: the heading {name!r} comes twice" for name in COLUMNS if heading.count(name) > 1]
     if not rows:
         wrong.append("row 2: there is no row below the headings; write one for each picture")
-    reader = _Rows(cast, show, wrong)
+    reader = _Rows(cast, clips or ClipPoses(cast, {}), show, wrong)
     stimuli = []
     for number, cells in rows:
         row = dict(zip(heading, [*cells, *[""] * len(heading)], strict=False))
@@ -129,9 +167,10 @@ def _explain_heading(name: str, near: str) -> str:
 class _Rows:
     """Reads rows one after another, and gathers what is wrong with them."""
 
-    def __init__(self, cast: Cast | PlayingCast, show: str, wrong: list[str]) -> None:
+    def __init__(self, cast: Cast | PlayingCast, clips: ClipPoses, show: str, wrong: list[str]) -> None:
         self.wrong = wrong
         self._cast = cast
+        self._clips = clips
         self._show = show
         self._names: dict[str, int] = {}
         self._known: dict[tuple[str, str], str] = {}
@@ -145,20 +184,20 @@ class _Rows:
         for column, cell in filled.items():
             if why := self._check(column, cell):
                 self.wrong.append(f"row {number}, {column}: {why}")
-        clip = [column for column in (*BEGINNINGS, *CLIP) if column in filled]
-        if clip and "seconds" not in filled:
-            self.wrong.append(f"row {number}, {clip[0]}: this is of a clip; say its seconds too, or leave it empty")
+        moves = "clip" in filled and "at" not in filled
+        self.wrong += _out_of_place(number, filled, moves=moves)
         if len(self.wrong) > before:
             return None
         try:
-            frames = tuple(_frames(filled, self._cast, self._show))
+            clip = _trimmed(self._clips.find(filled["clip"]), filled) if moves else None
+            frames = tuple(_frames(filled, self._cast, self._show, clip))
             check_request(frames[0], "image/png")
-            _ = [lay_out(frame, self._cast) for frame in (frames[0], frames[-1])]
+            _ = [lay_out(frame, self._cast, self._clips) for frame in (frames[0], frames[-1])]
         except ValueError as error:  # cells that are right alone and wrong together
             self.wrong.append(f"row {number}: {error}")
             return None
-        fps = float(filled.get("fps", FPS)) if "seconds" in filled else 0.0
-        return Stimulus(name, frames, fps, dict(row))
+        fps = float(filled.get("fps", FPS)) if moves or "seconds" in filled else 0.0
+        return Stimulus(name, frames, fps, number, dict(row), filled.get("format", PICTURES), clip)
 
     def _read_name(self, number: int, name: str) -> str:
         if name != file_name(name) or name.strip(".") == "":
@@ -180,17 +219,17 @@ class _Rows:
         return self._known[column, cell]
 
     def _try(self, column: str, cell: str) -> None:
-        if column == "seconds":
-            _read_number(cell, 0.01, LONGEST)
-        elif column == "fps":
-            _read_number(cell, 1.0, FASTEST)
-        elif column == "easing" and cell not in EASINGS:
-            raise ValueError(f"there is no easing {cell!r}; give one of {', '.join(EASINGS)}")
-        elif column not in CLIP:
+        if column in OF_CLIPS:
+            _read_number(cell, *OF_CLIPS[column])
+        elif column == "easing":
+            check_known(cell, EASINGS, column)
+        elif column == "format":
+            check_known(cell, FORMATS, column)
+        else:
             alone = {"mask": {"transparent": "yes"}}.get(column, {})  # a mask needs something around it
             request = _request({**alone, BEGINNINGS.get(column, column): cell}, "")
             check_request(request, "image/png")
-            lay_out(request, self._cast)
+            lay_out(request, self._cast, self._clips)
 
 
 def _read_number(text: str, least: float, most: float) -> float:
@@ -227,9 +266,46 @@ def _request(cells: Mapping[str, str], show: str) -> RenderRequest:
     return RenderRequest(**words)  # type: ignore[arg-type]
 
 
-def _frames(cells: Mapping[str, str], cast: Cast | PlayingCast, show: str) -> Iterator[RenderRequest]:
-    """The pictures of a row: one, or those of a clip from its first to its last, each at its share of the way."""
+def _out_of_place(number: int, cells: Mapping[str, str], *, moves: bool) -> Iterator[str]:
+    """What is wrong with cells of a row that belong to another kind of row than it is. moves: it is a motion clip."""
+    if moves:
+        wrong = dict.fromkeys(TRANSITION, "a motion clip has its own motion; leave it empty")
+    elif "seconds" in cells:
+        wrong = dict.fromkeys((*MOTION, "at"), "this is of a motion clip; name the clip, and leave seconds empty")
+    else:
+        wrong = dict.fromkeys(MOTION, "this is of a motion clip; name the clip (and leave at empty)")
+        wrong |= dict.fromkeys(TRANSITION, "this is of a clip; say its seconds too, or leave it empty")
+        wrong |= dict.fromkeys(FILMED, "this is of a clip; say its seconds or name a motion clip, or leave it empty")
+    for column, why in wrong.items():
+        if column in cells:
+            yield f"row {number}, {column}: {why}"
+
+
+def _trimmed(clip: Clip, cells: Mapping[str, str]) -> Clip:
+    """What a row draws of a motion clip."""
+    begin = float(cells.get("from", 0.0))
+    end = float(cells.get("to", clip.seconds))
+    if not begin < end <= clip.seconds + SAME_TIME:
+        raise ValueError(
+            f"the clip {cells['clip']} has {clip.seconds:g} s, and nothing from {begin:g} s to {end:g} s; give seconds "
+            "of it that rise"
+        )
+    speed = float(cells.get("speed", clip.speed))
+    return replace(clip, start=clip.start + begin, stop=clip.start + min(end, clip.seconds), speed=speed)
+
+
+def _frames(
+    cells: Mapping[str, str], cast: Cast | PlayingCast, show: str, clip: Clip | None
+) -> Iterator[RenderRequest]:  # fmt: skip
+    """The pictures of a row: one, or those of a clip: as a motion clip has them (`clip`), or from its first to its
+    last, each at its share of the way."""
     last = _request({column: cell for column, cell in cells.items() if column in RENDERED}, show)
+    if clip is not None:
+        begin = float(cells.get("from", 0.0))
+        fps = float(cells.get("fps", FPS))
+        for number in range(count_frames(clip, fps)):
+            yield msgspec.structs.replace(last, at=begin + number / fps * clip.speed)
+        return
     if "seconds" not in cells:
         yield last
         return

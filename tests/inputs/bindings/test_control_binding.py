@@ -10,6 +10,7 @@ from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import read_target
 
 JAW = read_target("/omote/one/channel/jawOpen")
+TURN = read_target("/omote/one/macro/turn")
 PANIC = read_target("/omote/panic")
 
 
@@ -21,6 +22,17 @@ def test_the_position_of_a_value_is_where_the_control_stands(position: float, cu
         binding.value_at(position), abs=1e-9
     )
     assert (binding.value_at(0.0), binding.value_at(1.0)) == (low, high)
+
+
+@given(st.floats(0.0, 1.0), st.floats(0.0, 0.45))
+def test_a_stick_counts_as_in_its_middle_near_it_and_has_its_whole_way_beyond(position: float, zone: float) -> None:
+    binding = Binding("pad", "axis0", TURN, -1.0, 1.0, dead_zone=zone)
+    value = binding.value_at(position)
+    assert (value == 0.0) or abs(position - 0.5) >= zone
+    assert binding.value_at(binding.position_of(value)) == pytest.approx(value, abs=1e-9)
+    assert binding.value_at(1.0 - position) == pytest.approx(-value, abs=1e-9)
+    assert (binding.value_at(0.0), binding.value_at(1.0)) == (-1.0, 1.0)
+    assert abs(binding.value_at(0.5 + zone + 1e-6)) < 1e-4
 
 
 def test_a_value_out_of_the_control_s_range_lies_at_its_nearer_end() -> None:
@@ -51,6 +63,7 @@ def test_encoders_of_all_kinds_count_the_same_steps(steps: int) -> None:
         ({"curve": 0.0}, "curve is 0.0"),
         ({"curve": float("nan")}, "curve is nan"),
         ({"step": 2.0}, "step is 2.0"),
+        ({"dead_zone": 0.5}, "dead_zone is 0.5"),
         ({"button": "press"}, "button is one of"),
         ({"relative": "signed"}, "relative one of"),
         ({"button": "toggle", "relative": "binary_offset"}, "not both"),

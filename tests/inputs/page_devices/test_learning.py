@@ -92,6 +92,16 @@ def test_of_a_stick_the_axis_that_goes_farthest_is_bound() -> None:
     assert learn(*drift, target=HEAD) is None
 
 
+def test_a_stick_plays_both_halves_of_a_macro_and_rests_in_its_middle_and_a_dial_plays_one() -> None:
+    macro = read_target("/omote/one/macro/turn")
+    stick = learn(*(Reading("pad", "axis0", 0.5 + n / 20) for n in range(8)), target=macro)
+    dial = learn(*(Reading("pad", "1/cc7", n / 20) for n in range(8)), target=macro)
+    assert stick is not None
+    assert dial is not None
+    assert (stick.low, stick.high, stick.value_at(0.52), stick.pick_up) == (-1.0, 1.0, 0.0, False)
+    assert (dial.low, dial.high, dial.dead_zone, dial.pick_up) == (0.0, 1.0, 0.0, True)
+
+
 def test_a_trigger_plays_a_level_as_a_level_and_a_call_as_a_key() -> None:
     way = (0.2, 0.5, 1.0, 0.4, 0.0)
     both = [each for v in way for each in (Reading("pad", "trigger6", v), Reading("pad", "button6", v, key=True))]

@@ -80,7 +80,9 @@ def session() -> ShowSession:
 @pytest.fixture(scope="module")
 def data(session: ShowSession) -> bytes:
     """Its layout."""
-    return build_touchosc_layout(session.cast, session.scene)
+    return build_touchosc_layout(
+        session.cast, session.scene, {name: pad.dimensions for name, pad in session.scene.pads.items()}
+    )
 
 
 @pytest.fixture(scope="module")
@@ -142,7 +144,7 @@ def test_a_button_lets_its_controls_follow(session: ShowSession, controls: list[
 
 
 def test_every_character_has_its_pages_and_all_have_one(cast: Cast) -> None:
-    controls = read_controls(build_touchosc_layout(cast, ["one", "two"]))
+    controls = read_controls(build_touchosc_layout(cast, ["one", "two"], {"mouth": 2, "jaw": 1}))
     owners = {who: [c for c in controls if c.address.startswith(f"/omote/{who}/")] for who in ("one", "two", "*")}
     assert len(owners["one"]) == len(owners["two"]) == len(owners["*"]) > 0
     assert sorted({control.address.split("/")[3] for control in owners["two"]}) == sorted(

@@ -22,7 +22,7 @@ def bound() -> bytes:
     store = Store()
     document = describe_scene(scene(tetrahedron("a"), tetrahedron("b", size=3)), store)
     nodes = add_joints(document, JOINTS)
-    bind_meshes(document, store, JOINTS["head"], nodes["head"])
+    bind_meshes(document, store, [JOINTS["head"]], [nodes["head"]], {})
     return encode_glb(document, store)
 
 

@@ -52,6 +52,17 @@ def test_an_expression_of_some_regions_alone_is_said() -> None:
     assert frames.weights["joy"] == pytest.approx(np.full(2, 0.2))
 
 
+def test_a_weight_that_only_the_curve_between_frames_takes_below_0_ends_there() -> None:
+    times = np.arange(6) / 10.0
+    blink = np.array([0.0, 0.1, 0.2, 0.0, 0.0, 0.0])
+    clip = Clip([Lane(make_curve(times, {"eyeBlinkLeft": blink, "jawOpen": blink - 0.1}, {}))])
+    between = [clip.sample(at).values[clip.layout.columns.index("channel/eyeBlinkLeft")] for at in (0.31, 0.32, 0.33)]
+    assert -0.02 < min(between) < -0.001, "the cubic goes below"
+    weights = sample_clip(clip).weights
+    assert weights["eyeBlinkLeft"].min() == 0.0
+    assert weights["jawOpen"].min() < -0.1, "what somebody meant stays"
+
+
 @pytest.mark.parametrize("rate", [0.0, 241.0])
 def test_a_rate_that_is_none_is_refused(cast: Cast, rate: float) -> None:
     with pytest.raises(ValueError, match="the frames of a second"):

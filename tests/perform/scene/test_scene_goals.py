@@ -5,6 +5,7 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     PASSING,
@@ -29,12 +30,21 @@ GOALS: dict[Part, Goal] = {
     "one/place": {"x": 0.5, "depth": 1.0, "size": 2.0, "turn": -1.0},
     "one/presence": {"presence": 0.25},
     "one/motion": {"liveliness": 0.0, "blinks": 0.5, "gaze": 2.0, "breath": 0.0},
+    "one/springs": {"ears-sway": 0.5, "ears-flap": 0.0, "jowls-sway": 2.0, "cheeks-bounce": 1.25},
     "one/look": {"yaw": 0.25, "pitch": -0.125},
+    "one/macros": {"mouth": -0.5},
     **{f"one/layer:{layer}": {part: 0.5 + 0.05 * place for place, part in enumerate(LAYER_PARTS)} for layer in LAYERS},
     "*/light": {"flat": 0.75, "theatre": 0.25},
     "*/framing": {"one": 1.0},
     "*/black": {"black": 0.75},
 }
+
+
+def begun(cast: Cast) -> Scene:
+    """A scene with a macro."""
+    scene = Scene.begun(cast)
+    scene["one"].set_mapping(MacroMapping("mouth", (MacroTarget("channel/jawOpen"),)))
+    return scene
 
 
 def test_every_part_is_tried() -> None:
@@ -43,7 +53,7 @@ def test_every_part_is_tried() -> None:
 
 @pytest.mark.parametrize("part", PARTS)
 def test_a_part_goes_where_it_is_called_from_where_it_was_and_nothing_else_moves(cast: Cast, part: str) -> None:
-    scene = Scene.begun(cast)
+    scene = begun(cast)
     before = {each: scene.shown_goal(each) for each in PARTS}
     for each in PARTS:
         assert check_goal(each, scene.goal_of(each)) == scene.goal_of(each) == before[each]
@@ -108,7 +118,7 @@ PACED = [part for part in PARTS if not is_setting(split_part(part)[1])]  # which
 
 @pytest.mark.parametrize("part", PACED)
 def test_what_was_called_with_a_pace_is_held_and_goes_on_as_if_nothing_had_been(cast: Cast, part: str) -> None:
-    scene, other = Scene.begun(cast), Scene.begun(cast)
+    scene, other = begun(cast), begun(cast)
     for each in (scene, other):
         each.call_goal(part, GOALS[part], seconds=2.0, pace=1.0)
         each.advance(0.75)
@@ -126,14 +136,14 @@ def test_what_was_called_with_a_pace_is_held_and_goes_on_as_if_nothing_had_been(
 
 @pytest.mark.parametrize("part", PACED)
 def test_no_pace_holds_what_hands_call(cast: Cast, part: str) -> None:
-    scene, other = Scene.begun(cast), Scene.begun(cast)
+    scene, other = begun(cast), begun(cast)
     scene.call_goal(part, GOALS[part], seconds=2.0, pace=1.0)
     scene.set_pace(0.0)
     for each in (scene, other):
         each.call_goal(part, GOALS[part], seconds=2.0)
         each.set_pace(0.0)
         each.advance(1.0)
-    assert scene.shown_goal(part) == other.shown_goal(part) != Scene.begun(cast).shown_goal(part)
+    assert scene.shown_goal(part) == other.shown_goal(part) != begun(cast).shown_goal(part)
 
 
 @pytest.mark.parametrize("part", ["one/expression", "one/head", "one/place", "*/light", "*/black"])

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import wave
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,12 +26,15 @@ from omote.server.headless.clip_pictures import (
     ClipPictures,
     FilmSound,
     begin_pictures,
-    count_frames,
     draw_clip,
     film_clip,
+    find_film_sound,
     play_frames,
     write_sidecar,
 )
+from omote.show.objects.speech import StoredSound
+from omote.showfile.changes import Stored
+from omote.showfile.inspection import Inspection
 
 RAMP = Clip([Lane(make_curve([0.0, 0.5, 1.0], {"jawOpen": [0.0, 0.5, 1.0]}, {}))], loop=True)
 SIZE = 64
@@ -43,16 +47,14 @@ def test_each_frame_is_that_of_its_time(cast: Cast) -> None:
     assert shown == pytest.approx([place / 10 for place in range(10)], abs=1e-12)
 
 
-def test_too_many_frames_and_a_face_that_is_not_there_are_refused(cast: Cast) -> None:
-    with pytest.raises(ValueError, match="at most 20000"):
-        count_frames(RAMP, 1e6)
+def test_a_face_that_is_not_there_is_refused(cast: Cast) -> None:
     with pytest.raises(ValueError, match="there is no face 'nobody'"):
         next(play_frames(cast, RAMP, face="nobody", rate=10.0))
 
 
 def test_a_film_without_ffmpeg_says_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(FileNotFoundError, match="install it, or name a folder"):
+    with pytest.raises(FileNotFoundError, match="install it, or take the pictures"):
         film_clip(tmp_path / "a.mov", lambda _: pytest.fail("nothing is drawn"))
 
 
@@ -122,13 +124,32 @@ def test_a_film_has_the_sound_of_its_clip_in_its_place_and_as_long_as_the_pictur
     assert np.argmax(np.abs(heard) > 0.2) / 48000 == pytest.approx(begins, abs=0.004)
 
 
+def test_a_film_has_the_sound_that_the_show_file_keeps_at_the_speed_of_one() -> None:
+    told: list[str] = []
+    line = StoredSound("5" * 32, 2.0, "c1", 3, former=("first",))
+    stored = Stored(documents={"sound": {"line 1": line.encode()}})
+    inspection = Inspection(8, 0, stored, {"c1": b"wav"})
+    clip = Clip([Lane(make_curve([0.0, 1.0], {"jawOpen": [0.0, 1.0]}, {}))], start=0.25, sound_at=0.5)
+    for called in ("line 1", "first", line.sound):
+        assert find_film_sound(inspection, replace(clip, sound=called), told.append) == FilmSound(b"wav", 0.25)
+    assert find_film_sound(inspection, clip, told.append) is None
+    assert find_film_sound(inspection, replace(clip, sound="line 1", sound_at=-2.0), told.append) is None, "it is over"
+    assert told == []
+    assert find_film_sound(inspection, replace(clip, sound="line 1", speed=0.5), told.append) is None
+    assert find_film_sound(inspection, replace(clip, sound="gone"), told.append) is None
+    assert [sentence.partition(",")[0] for sentence in told] == [
+        "the clip plays at the speed 0.5",
+        "the show file has no sound gone",
+    ]
+
+
 def test_a_folder_goes_on_for_the_same_request_alone(tmp_path: Path) -> None:
     folder = tmp_path / "out"
     assert begin_pictures(folder, request()) == {}
     (folder / "00000.png").write_bytes(b"drawn")
     hashes = begin_pictures(folder, request())
     assert hashes == {"00000.png": hashlib.sha256(b"drawn").hexdigest()}
-    write_sidecar(folder, request(pictures=hashes))
+    write_sidecar(folder / clip_pictures.SIDECAR, request(pictures=hashes))
     assert begin_pictures(folder, request()) == hashes
     (folder / "00000.png").write_bytes(b"changed")
     assert begin_pictures(folder, request()) == {}

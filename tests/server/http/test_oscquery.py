@@ -12,6 +12,7 @@ from aiohttp.test_utils import TestClient, TestServer
 
 from omote.inputs.oscquery_tree import build_addresses
 from omote.model.cast import Cast
+from omote.perform.scene.scene import Scene
 from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments
@@ -71,7 +72,9 @@ async def test_npm_oscquery_reads_the_whole_tree(harness: ShowHarness) -> None:
 
 
 async def test_a_node_one_attribute_and_what_is_not_there(harness: ShowHarness, cast: Cast) -> None:
-    assert await read(harness, "/") == build_addresses(cast, ["one"])
+    assert await read(harness, "/") == build_addresses(
+        cast, ["one"], {name: pad.dimensions for name, pad in Scene.begun(cast).pads.items()}
+    )
     harness.tick()
     assert (await read(harness, "/omote/one/face"))["TYPE"] == "s"
     assert await read(harness, "/omote/one/fade/face?VALUE") == {"VALUE": [0.0]}

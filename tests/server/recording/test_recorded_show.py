@@ -6,13 +6,15 @@ from pathlib import Path
 
 import pytest
 
+from omote.server.recording import recorded_show
 from omote.server.recording.recorded_show import RecordedShow, Span
-from omote.server.recording.recording_thread import RecordingThread
+from omote.server.recording.recording_thread import RecordingThread, read_entries
 from omote.show.objects.recordings import MarkMoment
 from omote.show.recording import recorder
+from omote.show.recording.entries import AnyEntry
 from omote.show.recording.replay import ReplayError
 from omote.show.wire import encode
-from omote.showfile.recording_file import open_recording, recording_path
+from omote.showfile.recording_file import RecordingFile, open_recording, recording_path
 from tests import synthetic
 from tests.show.recording.random_show import RandomShow
 
@@ -57,6 +59,30 @@ def test_a_recording_is_replayed_from_the_disk_from_any_moment(tmp_path: Path) -
         assert encode(next(later).state) == show.states[number + 1]
     assert [marker.name for marker in file.markers()] == ["here"]
     assert [line.of for line in reading.log(span) if line.what == "mark_moment"] == ["here"]
+    reading.close()
+    file.close()
+
+
+def test_a_seek_unpacks_one_piece_before_its_first_tick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = recording_path(tmp_path / "show.omote")
+    record(path, 2, 8.0)
+    file = open_recording(path)
+    read: list[int] = []
+
+    def note(file: RecordingFile, piece: int) -> list[AnyEntry]:
+        read.append(piece)
+        return read_entries(file, piece)
+
+    monkeypatch.setattr(recorded_show, "read_entries", note)
+    reading = RecordedShow(file, CAST)
+    span = reading.find_span()
+    ticks = reading.replay(span, after=span.first + 0.3)
+    first = next(ticks)
+    assert read == [file.pieces()[0].id]
+    rest = list(ticks)
+    assert read == [piece.id for piece in file.pieces()]
+    assert len(read) > 2
+    assert first.now < rest[0].now
     reading.close()
     file.close()
 

@@ -27,6 +27,7 @@ from omote.server.supervision.source_report import SourceReport
 from omote.show.objects.bindings import Bind, BindingDocument, BindingList, BindingsChanged
 from omote.show.objects.devices import MidiBytes, Plug
 from omote.show.objects.faders import SetChannel
+from omote.show.objects.hand.setups import KeepSetup, SetupList
 from omote.show.objects.link import Ping, Pong
 from omote.show.objects.state import State
 from omote.show.wire import encode
@@ -163,17 +164,20 @@ async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart
                 Plug("pad", "midi"),
                 MidiBytes("pad", bytes([0xB0, 7, 127])),
                 Bind(f"b {expected}", bound),
+                *(() if expected else (KeepSetup("k", "right"),)),
             )
             for each in (*said, Ping(1.0)):
                 await desk.send_bytes(encode(each))
-            assert isinstance(await answer(desk), Pong)  # the server has heard all
+            while not isinstance(await answer(desk), Pong):
+                pass  # the server has heard all
             harness.tick()
             heard: dict[type, Any] = {}
-            while BindingList not in heard:
+            while not {BindingList, SetupList} <= heard.keys():
                 message = await answer(desk)
                 heard[type(message)] = message
             assert heard[State].characters["one"].channels.get("jawOpen", 0.0) == expected
             assert heard[BindingList].bindings == heard[BindingsChanged].added
+            assert heard[SetupList].names == ["right"]
             assert harness.said == []
             for closing in started:
                 await closing.close()

@@ -285,7 +285,7 @@ class Night:
         assert self.lists.snapshot() == states
         if told is not None and again is not None:
             for name, each in told.lists.items():
-                assert msgspec.structs.replace(each, since=None, by="") == again.lists[name]
+                assert msgspec.structs.replace(each, since=None, by="", pressed="") == again.lists[name]
         self.session.tick(self.now)
 
     def play(self, steps: int) -> None:
@@ -416,6 +416,28 @@ def test_a_pause_holds_waits_and_what_cues_have_called_and_nothing_else() -> Non
     assert (end.black, end.characters["one"].head[0]) == (1.0, 0.2)
     assert end.cues is not None
     assert end.cues.lists["main"].current.number == "2"  # type: ignore[union-attr]
+
+
+def test_what_moves_and_since_when_is_named_by_what_was_pressed() -> None:
+    session = ShowSession(CAST)
+    session.receive("ana", Hello(role="console", version=PROTOCOL_VERSION, name="ana"), 0.0)
+    for number, part, goal in (("1", "*/light", {"flat": 1.0}), ("2", "*/black", {"black": 1.0})):
+        session.receive("ana", wire.PutCue(f"put-{number}", number=number), 0.0)
+        session.receive("ana", wire.PutMove(f"move-{number}", session.cues.book.orders["main"][-1], part, goal), 0.0)
+    for at, act, pressed, moving in (
+        (10.0, wire.Go("1"), "GO 1", {("*/light", "1", "")}),
+        (20.0, wire.Go("2"), "GO 2", {("*/black", "2", "")}),
+        (30.0, wire.AssertLook("3"), "Assert", {("*/light", "", "Assert"), ("*/black", "", "Assert")}),
+        (40.0, wire.GoBack("4"), "Back", {("*/black", "", "Back")}),
+        (50.0, wire.GoToCue("5", "2", whole=True), "Go to 2", {("*/light", "2", ""), ("*/black", "2", "")}),
+    ):
+        session.tick(at)
+        session.receive("ana", act, at)
+        told = session.tick(at + 0.5).cues
+        assert told is not None
+        main = told.lists["main"]
+        assert (main.pressed, main.by, main.since) == (pressed, "ana", 0.5)
+        assert {(one.part, one.number, one.act) for one in main.moving} == moving
 
 
 def test_after_a_restart_at_the_end_of_a_list_no_cue_stands_by() -> None:

@@ -14,6 +14,7 @@ from omote.show.objects import faders
 from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, Panic, ReleaseFace
 from omote.show.objects.characters import PlaceCharacter
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
+from omote.show.objects.hand.macros import MoveMacro
 from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Ping
@@ -100,6 +101,7 @@ def test_every_control_has_its_own_key() -> None:
     messages.append(SetLayer("one", "blink", "mouth", 0.5))
     messages.append(SetMotion("one", 0.5))
     messages += [MovePad("one", name, 0.5) for name in ("moods", "mouth")]
+    messages += [MoveMacro("one", name, 0.5) for name in ("smile", "jaw")]
     assert {type(message) for message in messages} == {kind for kind in CLIENT_MESSAGES if kind.hand is not None}
     assert len({message.control("one") for message in messages}) == len(messages)
 

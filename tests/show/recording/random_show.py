@@ -13,7 +13,10 @@ import numpy as np
 from omote.perform.clips.clip import Clip
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
+from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
+from omote.perform.pads.blend_space import PadLook
 from omote.perform.snapshot import Playable
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as cue_messages
@@ -50,11 +53,20 @@ from omote.show.objects.clips import (
 )
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.gaze_points import DeleteGazePoint, SetGazePoint
+from omote.show.objects.hand.macros import (
+    DropMapping,
+    MoveMacro,
+    RenameMapping,
+    RestoreMapping,
+    SetMapping,
+    SetMappings,
+)
+from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, RenamePad, RestorePad, SetPad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
 from omote.show.objects.memories import CallMemory, DeleteMemory, KeepMemory, RestoreMemory
-from omote.show.objects.motion import LookAt, MakeGesture, SetMotion
+from omote.show.objects.motion import LookAt, MakeGesture, SetMotion, SetSpring
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
@@ -67,6 +79,7 @@ from omote.show.session import ShowSession
 from omote.show.wire import encode
 
 CONSOLES = ("ana", "bo", "cy", "di")
+MACROS = ("m1", "m2", "m3")
 TRACKERS = ("phone one", "phone two")
 
 
@@ -132,6 +145,16 @@ class RandomShow:
         found = bool(self.rng.random() < 0.98)
         self.send(who, Drive(self.indices.get(who, 0), values.tobytes(), head, (0.1, 0.0), found=found))
 
+    def mapping(self) -> MacroMapping:
+        """What a macro plays: a channel, the head and the point of a pad, under a condition by chance."""
+        targets = (
+            MacroTarget(f"channel/{self.pick(self.expressions)}", high=self.number(0, 1), rise=0.1, fall=0.3),
+            MacroTarget("head/yaw", high=0.3, curve=((0.0, 0.0), (0.4, 0.1), (1.0, 1.0)), below=HalfBelow(-0.1)),
+            MacroTarget("pad/mouth/x", low=-1.0, rise=0.05),
+        )
+        when = MacroCondition(f"macro/{self.pick(MACROS)}", 0.3) if self.rng.random() < 0.4 else None
+        return MacroMapping(self.pick(MACROS), targets[: int(self.rng.integers(1, 4))], when)
+
     def messages(self) -> list[Callable[[], ClientMessage]]:
         """One of each kind that plays."""
         who, number, pick, new = self.character, self.number, self.pick, self.id
@@ -149,9 +172,17 @@ class RandomShow:
             lambda: SetChannel(who(), pick(self.expressions), number(-0.6, 1.6)),
             lambda: SetHead(who(), number(-0.5, 0.5), number(-0.3, 0.3), 0.0),
             lambda: SetGaze(who(), number(-0.3, 0.3), 0.0),
+            lambda: SetMapping(who(), new(), self.mapping(), pick(("a", "b"))),
+            lambda: SetMappings(who(), new(), [self.mapping()]),
+            lambda: MoveMacro(who(), pick(MACROS), number(-1.1, 1.1)),
+            lambda: MoveMacro(who(), pick(MACROS), number(-1, 1)),
+            lambda: RenameMapping(who(), new(), pick(MACROS), pick(MACROS)),
+            lambda: DropMapping(who(), new(), pick(MACROS), "c"),
+            lambda: RestoreMapping(who(), new(), pick(("a", "b", "c"))),
             lambda: SetLayer(who(), "tracker", influence=number(0, 1), region=pick(("brows", "mouth", None))),
             lambda: SetLayer(who(), "tracker", on=pick((True, False))),
             lambda: SetMotion(who(), number(0, 1), seed=int(self.rng.integers(1000))),
+            lambda: SetSpring(who(), pick(SPRING_NAMES), number(0, 2)),
             lambda: LookAt(who(), "direction", yaw=number(-0.4, 0.4)),
             lambda: LookAt(who(), "character", name=pick(names)),
             lambda: LookAt(who(), "gaze_point", name="door"),
@@ -185,6 +216,13 @@ class RandomShow:
             lambda: TuneSource(new(), pick(TRACKERS), mirror=pick((True, False)), curve=number(-1, 1)),
             lambda: CalibrateSource(new(), pick(TRACKERS), pick(("neutral", "range", "done", "reset"))),
             lambda: SetLeases(new(), pick((True, False))),
+            lambda: MovePad(who(), pick(("moods", "mouth", "faces", "p")), number(-1, 1), pick((None, 0.5))),
+            lambda: MovePad(who(), pick(("moods", "mouth", "p")), None, number(-1.1, 1.1)),
+            lambda: SetPad(new(), "p", pick(("mouth", "rest", "expression")), 2, self.looks(), pick(("", "g", "h"))),
+            lambda: RenamePad(new(), pick(("moods", "p")), pick(("p", "moods")), pick(("g", "h"))),
+            lambda: CopyPad(new(), "mouth", pick(("p", "q"))),
+            lambda: DropPad(new(), pick(("moods", "p", "q")), pick(("g", "h"))),
+            lambda: pick((AddCastPads(new()), RestorePad(new(), pick(("g", "h"))))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong", "chime"))),
             lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
@@ -198,6 +236,12 @@ class RandomShow:
             lambda: DropClip(new(), "c2"),
             lambda: RestoreClip(new(), "c2"),
         ]  # fmt: skip
+
+    def looks(self) -> list[PadLook]:
+        """The looks of a pad."""
+        count = int(self.rng.integers(2, 6))
+        places = ((self.number(-1, 1), self.number(-1, 1)) for _ in range(count))
+        return [PadLook(f"l{n}", {self.pick(self.expressions): 1.0}, place) for n, place in enumerate(places)]
 
     def action(self) -> CueAction:
         """Something that a cue does beside moving parts."""
@@ -214,6 +258,7 @@ class RandomShow:
         new, pick = self.id, self.pick
         part = pick(("one/face", "one/expression", "one/brows", "one/clip", "*/light", "*/black"))
         goal = {"face": {pick(self.faces): 1.0}, "light": {"flat": 1.0}, "black": {"black": 0.5}}
+        goal["expression"] = pick(({pick(self.expressions): 1.0}, {":pad moods": 1.0, ":x": 0.5, ":y": -0.5}))
         goal["clip"] = pick(({}, {"c1": 1.0}, {"c2": 1.0, ":start": 0.1, ":loop": 1.0, ":mouth": 0.5}))
         aimed = goal.get(part.rpartition("/")[2], {pick(self.expressions): 1.0})
         return [

@@ -7,7 +7,7 @@ from omote.show.objects.calls import CallFace
 from omote.show.objects.link import Hello, Ping
 from omote.show.recording.entries import Joined, Left, Sent, SnapshotTaken, Ticked
 from omote.show.recording.recorder import Recorder
-from omote.show.session import ShowSession
+from omote.show.session import ShowSession, Unrecorded
 from tests import synthetic
 from tests.show.recording.random_show import RandomShow
 
@@ -18,7 +18,7 @@ def test_a_recorder_changes_nothing() -> None:
     show = RandomShow(10, {CAST.digest: CAST})
     show.play(5.0)
     plain = RandomShow(10, {CAST.digest: CAST})
-    plain.session.recorder = None
+    plain.session.recorder = Unrecorded()
     plain.play(5.0)
     assert plain.states == show.states
 

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from omote.perform.snapshot import Playable
 from omote.show.objects.clips import DropClip, KeepPass, PlayClip, RecordClip
+from omote.show.objects.state import State
+from omote.show.preview_bus import PreviewBus
 from omote.show.recording import recorder
 from omote.show.recording.entries import AnyEntry, Ticked, begins_piece
 from omote.show.recording.replay import ReplayError, replay
@@ -50,6 +52,23 @@ def test_a_seek_ends_at_the_same_states_from_any_tick_on(seed: int) -> None:
     for number in show.rng.integers(0, len(times) - 1, 8).tolist():
         ticks = list(replay([show.entries], CASTS.__getitem__, after=times[number]))
         assert [encode(tick.state) for tick in ticks] == show.states[number + 1 :]
+
+
+def test_a_seek_plays_no_preview_and_encodes_no_state_before_its_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    show = RandomShow(100, CASTS)
+    show.play(5.0)
+    times = [entry.now for entry in show.entries if isinstance(entry, Ticked)]
+    encoded: list[State] = []
+
+    def note(state: State) -> bytes:
+        encoded.append(state)
+        return encode(state)
+
+    monkeypatch.setattr(PreviewBus, "advance", lambda *_: pytest.fail("nobody sees the preview of a replay"))
+    monkeypatch.setattr("omote.show.recording.replay.encode", note)
+    tick = next(replay([show.entries], CASTS.__getitem__, after=times[200]))
+    assert encode(tick.state) == show.states[201]
+    assert encoded == [tick.state]
 
 
 def test_a_piece_needs_no_entry_before_it() -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from omote.perform.springs.cast_springs import SPRINGS as PLAYED_SPRINGS
 from tools.baking.expressions import (
     ARKIT,
     EARS,
@@ -11,6 +12,8 @@ from tools.baking.expressions import (
     OMOTE,
     PERFORMED,
     PUPILS,
+    SPRING_EARS,
+    SPRINGS,
     ear_turns,
     head_turn,
     region,
@@ -19,8 +22,19 @@ from tools.baking.expressions import (
 
 
 def test_no_name_stands_twice() -> None:
-    names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OMOTE]
-    assert len(set(names)) == len(names) == 52 + 34 + 20 + 6
+    names = [*ARKIT, *MAKEHUMAN, *PERFORMED, *OMOTE, *SPRINGS]
+    assert len(set(names)) == len(names) == 52 + 34 + 20 + 6 + 4
+
+
+def test_what_springs_play_is_what_springs_of_a_show_ask_for() -> None:
+    assert {spring.channel for spring in PLAYED_SPRINGS.values()} == {*SPRINGS}
+
+
+def test_ears_that_sway_go_to_one_side() -> None:
+    left, right = ear_turns("ears-sway")
+    assert left.any()
+    assert np.array_equal(left, -right)
+    assert np.array_equal(*ear_turns("ears-flap"))
 
 
 def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> None:
@@ -30,7 +44,7 @@ def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> N
 
 
 def test_ears_and_heads_turn_by_degrees_that_ears_and_heads_can() -> None:
-    assert EARS.keys() <= {*ARKIT, *PERFORMED, *OMOTE}
+    assert EARS.keys() <= {*ARKIT, *PERFORMED, *OMOTE, *SPRING_EARS}
     assert HEADS.keys() <= PERFORMED.keys()
     assert max(abs(angle) for turn in (*EARS.values(), *HEADS.values()) for angle in turn) <= 40.0
     assert np.allclose(ear_turns("fear"), np.radians([EARS["fear"]] * 2))
@@ -63,7 +77,7 @@ def test_a_star_stands_for_left_and_right() -> None:
     [
         ("eyebrows-left-up", "brows"), ("eye-left-slit", "eyes"), ("jawOpen", "jaw"), ("tongueOut", "tongue"),
         ("neck-platysma", "whole"), ("smile", "whole"), ("noseSneerLeft", "nose"), ("mouth-open", "mouth"),
-        ("pupils-wide", "eyes"), ("ears-back", "ears"),
+        ("pupils-wide", "eyes"), ("ears-back", "ears"), ("ears-sway", "ears"), ("jowls-sway", "jaw"),
     ],
 )  # fmt: skip
 def test_regions(name: str, where: str) -> None:

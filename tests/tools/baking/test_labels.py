@@ -3,10 +3,10 @@
 import pytest
 
 from omote.perform.name_lookup import fold
-from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
+from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED, SPRINGS
 from tools.baking.labels import LABELS, label
 
-NAMES = ["neutral", *PERFORMED, *ARKIT, *MAKEHUMAN, *OMOTE]
+NAMES = ["neutral", *PERFORMED, *ARKIT, *MAKEHUMAN, *OMOTE, *SPRINGS]
 FOREIGN = ("parling", "protusion", "extern", "platysma", "eversion", "dilatation", "later", "retraction", "shrug")
 
 

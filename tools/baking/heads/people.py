@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tools.baking.heads.person import Build, Person
+from tools.baking.heads.soft_tissue import soft_gains
 
 PEOPLE: Mapping[str, Person] = {
     "generic": Person(
@@ -75,6 +76,7 @@ PEOPLE: Mapping[str, Person] = {
             "mouth/mouth-lowerlip-middle-down": 0.6,
             "mouth/mouth-lowerlip-ext-down": 0.5,
         },
+        gains=soft_gains(jowls=1.8, cheeks=1.8),
         look={
             "skin": "#e9b795",
             "lip": "#b9615a",
@@ -103,6 +105,7 @@ PEOPLE: Mapping[str, Person] = {
         },
         teeth=0.88,
         size=1.12,
+        gains=soft_gains(jowls=0.8, cheeks=1.2),
         look={
             "skin": "#f0c3a3",
             "lip": "#cf7568",
@@ -125,6 +128,7 @@ PEOPLE: Mapping[str, Person] = {
         shape={"mouth/mouth-lowerlip-middle-down": 0.3, "mouth/mouth-angles-up": 0.3},
         teeth=0.85,
         size=1.4,
+        gains=soft_gains(jowls=1.2, cheeks=1.6),
         look={
             "skin": "#f5cbb4",
             "lip": "#d77f78",
@@ -154,6 +158,7 @@ PEOPLE: Mapping[str, Person] = {
             "nose/nose-point-down": 0.3,
         },
         size=1.05,
+        gains=soft_gains(jowls=2.0, cheeks=1.2),
         look={
             "skin": "#dcb59d",
             "lip": "#a9685f",
@@ -204,6 +209,7 @@ PEOPLE: Mapping[str, Person] = {
             "chin/chin-height-incr": 0.5,
         },
         teeth=0.92,
+        gains=soft_gains(jowls=0.4, cheeks=0.3),
         look={
             "skin": "#cfae98",
             "lip": "#96625a",
@@ -234,6 +240,7 @@ PEOPLE: Mapping[str, Person] = {
             "chin/chin-width-incr": 0.5,
             "eyebrows/eyebrows-trans-down": 0.5,
         },
+        gains=soft_gains(jowls=3.2, cheeks=2.6),
         look={
             "skin": "#d9a68a",
             "lip": "#a85c50",
@@ -270,6 +277,7 @@ PEOPLE: Mapping[str, Person] = {
         size=1.08,
         eyeballs=1.1,
         teeth=0.72,
+        gains=soft_gains(jowls=0.0, cheeks=0.0),
         look={
             "skin": "#f7ddcf",
             "lip": "#d9304f",
@@ -306,6 +314,7 @@ PEOPLE: Mapping[str, Person] = {
             "cheek/*-cheek-bones-incr": 1.0,
         },
         teeth=0.8,
+        gains=soft_gains(jowls=1.2, cheeks=1.0),
         look={
             "skin": "#8fae6a",
             "lip": "#5f7540",
@@ -340,6 +349,7 @@ PEOPLE: Mapping[str, Person] = {
             "ears/*-ear-scale-decr": 1.5,
         },
         teeth=0.85,
+        gains=soft_gains(jowls=0.3, cheeks=0.3),
         look={
             "skin": "#9fc0cf",
             "lip": "#6d7fa8",

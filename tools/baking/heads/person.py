@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from omote.builtin.binding import EYES
+from omote.model.space.gain import Gain
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_target
 from tools.baking.heads.head import Head
 from tools.baking.package import Package
@@ -39,6 +40,7 @@ class Person:
     size: scale about the eyes, so that children fill a stage that is framed for adults;
     eyeballs: scale of each eyeball about its centre, where the lids were opened very wide;
     teeth: scale of teeth and tongue about their middle, so that they stay behind a narrow jaw;
+    gains: how strongly it answers single expressions;
     look: the colours skin, lip, brow, blush, iris, and traits (model.cast.Look)
     """
 
@@ -48,6 +50,7 @@ class Person:
     size: float = 1.0
     eyeballs: float = 1.0
     teeth: float = 1.0
+    gains: tuple[Gain, ...] = ()
 
 
 def target_weights(person: Person) -> dict[str, float]:

@@ -10,6 +10,7 @@ import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
 import { hearWhileShown, whileShown } from "../ui/topic_element";
+import { endPass, ownPass, passesOf } from "./clips/clip_passes";
 import { markMoment } from "./clips/keep_dialog";
 import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
@@ -271,6 +272,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "bus") changeBus(this.store);
     else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
     else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));
+    else if (command.do === "focus" && command.place === "characters" && this.#keepPass()) return;
     else if (command.do === "focus")
       this.#at<CharacterRow | LightRow | Palette | Pad | TBar>(PLACES[command.place])?.focus();
     else this.#obeyAxis(command);
@@ -284,6 +286,13 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "keep") this.context.items.keep(axis);
     else if (command.do === "hand") this.store.setTiming(axis, { byHand: !timing.byHand });
     else this.store.setTiming(axis, { seconds: neighbour(timing, command.direction) });
+  }
+
+  /** Keeps the pass that this hand records, where there is one; says whether. */
+  #keepPass(): boolean {
+    const pass = ownPass(passesOf(this.store), this.store.name, this.store.played.names);
+    if (pass !== undefined) endPass(this.store, pass, true);
+    return pass !== undefined;
   }
 
   #at<Found extends Element>(selector: string): Found | null {

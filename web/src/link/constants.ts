@@ -30,6 +30,8 @@ export const PLAY_REGIONS = ["brows", "eyes", "mouth", "rest"] as const;
 export const LAYERS = ["breath", "gaze", "emotion", "blink", "tracker", "lips", "playback", "hands"] as const;
 /** What an influence of a layer is of. */
 export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as const;
+/** The springs of a character. */
+export const SPRINGS = ["ears-sway", "ears-flap", "jowls-sway", "cheeks-bounce"] as const;
 /** The layers that sources drive. */
 export const DRIVEN_LAYERS = ["breath", "gaze", "blink", "tracker", "lips", "playback"] as const;
 /** The source of what a character says, which ends by itself. */

@@ -11,7 +11,8 @@ export const STATE_RATE = 60;
  * `bank:NAME`. `axis`: `yaw` of a head; `arguments`: of a call. `low`, `high`: values at both ends of the control
  * (nil: the target's own); `curve`: exponent between them; `pick_up`: a fader acts once it has crossed the value on
  * air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
- * range that one step moves. `bank`: where it plays, "" in all.
+ * range that one step moves. `bank`: where it plays, "" in all. `dead_zone`: how far from its middle a stick counts as
+ * there, 0..0.45 of its way.
  */
 export type BindingDocument = {
   device: string;
@@ -27,6 +28,7 @@ export type BindingDocument = {
   relative: "" | "twos_complement" | "binary_offset" | "sign_magnitude";
   step: number;
   bank: string;
+  dead_zone: number;
 };
 
 /**
@@ -502,13 +504,17 @@ export type CueName = { identity: string; number: string; label: string; note: s
 /** A move that waits: the number of its cue, its part, and in how many seconds it is called. */
 export type CueWait = { number: string; part: string; seconds: number };
 
-/** A part that a cue moves: the number of the cue ("" where it goes back), and in how many seconds it arrives. */
-export type CueMotion = { number: string; part: string; seconds: number };
+/**
+ * A part that is moved: the number of the cue that moves it, or the `act` that does, "Back" or "Assert", and in how
+ * many seconds it arrives.
+ */
+export type CueMotion = { number: string; part: string; seconds: number; act: string };
 
 /**
  * How far a list is. `current`: the cue that was called last; `standby`: the one that GO calls; `waits`, `moving`:
- * the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since the last
- * GO, None before the first, `by` whom, "" where it followed by itself.
+ * the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since
+ * somebody pressed last, None before that; `pressed`: what that was ("GO 12", "Back", "Assert" or "Go to 12"), `by`
+ * whom.
  */
 export type CueListStatus = {
   current: CueName | null;
@@ -519,6 +525,7 @@ export type CueListStatus = {
   follows_in: number;
   since: number | null;
   by: string;
+  pressed: string;
 };
 
 /**
@@ -716,11 +723,87 @@ export type SetGazePoint = { type: "set_gaze_point"; id: string; name: string; x
 export type DeleteGazePoint = { type: "delete_gaze_point"; id: string; name: string };
 
 /**
- * Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12 `looks` at
- * places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One of its name
- * makes way, and what that plays follows the new one without a jump. It is kept with the show. `restore_pad` with the
- * `key` (the name without one) takes it back; with a key several changes, one after the other, together. An `id`
+ * Says what a macro plays from now on, in the place of the mapping of that name; one that plays goes on without a
+ * jump. `restore_mapping` with the `key` (the name without one) takes that back. It is kept with the show. An `id`
  * executes once, as of those below.
+ */
+export type SetMapping = { type: "set_mapping"; character: string; id: string; mapping: MacroMapping; key?: string };
+
+/**
+ * Changes all mappings of a character at once: macros that are still there stay where they are, what others gave
+ * fades out in .2 s. `restore_mapping` with the `key` ("*" without one) takes that back.
+ */
+export type SetMappings = {
+  type: "set_mappings";
+  character: string;
+  id: string;
+  mappings: MacroMapping[];
+  key?: string;
+};
+
+/** Gives a macro another name, in the conditions of others too; nothing changes on air. */
+export type RenameMapping = {
+  type: "rename_mapping";
+  character: string;
+  id: string;
+  name: string;
+  to: string;
+  key?: string;
+};
+
+/** Forgets a macro and its mapping; what it gives fades out in .2 s. */
+export type DropMapping = { type: "drop_mapping"; character: string; id: string; name: string; key?: string };
+
+/** Takes back that mappings were set, renamed or dropped under this `key`; asked again, it is as after that. */
+export type RestoreMapping = { type: "restore_mapping"; character: string; id: string; key: string };
+
+/**
+ * Moves a macro, -1..1: all of its targets follow, each by its own curve. Where others hold the part of one of
+ * them, it is rejected whole.
+ */
+export type MoveMacro = { type: "move_macro"; character: string; name: string; value: number };
+
+/**
+ * Learns the targets of a macro by touch: what its sender moves of the character from now on, by faders of
+ * channels, head and gaze, up to eight, becomes the mapping, each from where it was to where it is left. Ends by
+ * `finish_mapping`, or after a minute in which nothing is touched. One console teaches at a time.
+ */
+export type LearnMapping = { type: "learn_mapping"; id: string; character: string; name: string };
+
+/**
+ * Ends what `learn_mapping` began: the macro stands at 1 and holds what was touched, and the faders go back to
+ * where they were, so that nothing moves on air. Not to `keep` it forgets what was touched, and leaves it there.
+ */
+export type FinishMapping = { type: "finish_mapping"; id: string; keep?: boolean };
+
+/**
+ * What is learned by touch now, to consoles with each change: of which macro (`name`, "" while nothing is), at
+ * whose console (`by`), and the targets that it has so far.
+ */
+export type MappingLearned = {
+  type: "mapping_learned";
+  character: string;
+  name: string;
+  by: string;
+  targets: MacroTarget[];
+};
+
+/**
+ * The mappings of all characters that have some, in their order: complete, to consoles after the welcome and with
+ * each change. `missing`: by character, the targets of them that there are not, which give nothing.
+ */
+export type MappingList = {
+  type: "mapping_list";
+  mappings: Record<string, MacroMapping[]>;
+  missing: Record<string, string[]>;
+};
+
+/**
+ * Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12
+ * `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One
+ * of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
+ * `restore_pad` with the `key` (the name without one) takes it back; with a key several changes, one after the other,
+ * together. An `id` executes once, as of those below.
  */
 export type SetPad = {
   type: "set_pad";
@@ -778,6 +861,37 @@ export type MovePad = {
   y?: number | null;
   z?: number | null;
 };
+
+/**
+ * Keeps all mappings and all bindings as they are under a name; one of that name is kept anew. An `id` executes
+ * once.
+ */
+export type KeepSetup = { type: "keep_setup"; id: string; name: string };
+
+/**
+ * Plays by a set-up from now on: its mappings and its bindings in the place of all that there are. Nothing jumps:
+ * macros that are still there stay where they are, what others gave fades out in .2 s, and faders wait to be picked
+ * up. `restore_setup` with this `id` takes it back.
+ */
+export type CallSetup = { type: "call_setup"; id: string; name: string };
+
+/** Forgets a set-up; what plays goes on. `restore_setup` with this `id` takes it back. */
+export type DropSetup = { type: "drop_setup"; id: string; name: string };
+
+/**
+ * Takes back what the message of the id `change` did: what was kept under the name, or what played, is as before
+ * it; that can be taken back itself.
+ */
+export type RestoreSetup = { type: "restore_setup"; id: string; change: string };
+
+/**
+ * The names of all set-ups, in the order in which they were kept first: complete, to consoles after the welcome and
+ * with each change. `called`: the one that was called last, "" where mappings or bindings have changed since.
+ */
+export type SetupList = { type: "setup_list"; names: string[]; called: string };
+
+/** Answers a message about set-ups. `missing`: characters of it that are not there, whose macros are left out. */
+export type SetupChanged = { type: "setup_changed"; id: string; name: string; missing: string[] };
 
 /** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
 export type KeepFace = { type: "keep_face"; character: string; id: string };
@@ -1049,6 +1163,18 @@ export type MakeGesture = {
   name: "nod" | "shake" | "tilt" | "bow" | "shrug" | "brows" | "wink";
   amplitude?: number;
   seconds?: number | null;
+};
+
+/**
+ * How much of a spring of a character shows, 0..2, 1 at first: of the ears of animals that sway and flap, of jowls
+ * that sway, of cheeks that bounce as the head moves. It is multiplied by twice the liveliness of `set_motion`.
+ */
+export type SetSpring = {
+  type: "set_spring";
+  character: string;
+  name: "ears-sway" | "ears-flap" | "jowls-sway" | "cheeks-bounce";
+  amount: number;
+  id?: string;
 };
 
 /** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
@@ -1573,6 +1699,12 @@ export type ClipState = {
 };
 
 /**
+ * A macro: `value` -1..1, where its hand has it; `share`: how much of it shows, 0..1, by its condition, 0 until a
+ * hand moves it after a panic.
+ */
+export type MacroState = { value: number; share: number };
+
+/**
  * The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
  * nothing else has taken over since.
  */
@@ -1589,7 +1721,9 @@ export type PadPointState = { place: number[]; plays: boolean };
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
- * `pads`: where the points of pads are, by name, of those that have been moved since the last panic.
+ * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
+ * last panic.
+ * `springs`: how much of each is set, of those that are not 1.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1619,7 +1753,9 @@ export type CharacterState = {
   speech: SpeechState | null;
   spoken: string;
   clips: ClipState[];
+  macros: Record<string, MacroState>;
   pads: Record<string, PadPointState>;
+  springs: Partial<Record<"ears-sway" | "ears-flap" | "jowls-sway" | "cheeks-bounce", number>>;
 };
 
 /**
@@ -1734,7 +1870,7 @@ export type FaceDocument = {
 export type ExpressionDocument = {
   name: string;
   label: string;
-  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "own";
+  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "spring" | "own";
   region: string;
   eyes: [number, number, number, number];
   pupil: number;
@@ -1966,6 +2102,14 @@ export type FromClient =
   | SetGaze
   | SetGazePoint
   | DeleteGazePoint
+  | SetMapping
+  | SetMappings
+  | RenameMapping
+  | DropMapping
+  | RestoreMapping
+  | MoveMacro
+  | LearnMapping
+  | FinishMapping
   | SetPad
   | RenamePad
   | CopyPad
@@ -1973,6 +2117,10 @@ export type FromClient =
   | AddCastPads
   | RestorePad
   | MovePad
+  | KeepSetup
+  | CallSetup
+  | DropSetup
+  | RestoreSetup
   | KeepFace
   | KeepExpression
   | RenameItem
@@ -1997,6 +2145,7 @@ export type FromClient =
   | SetMotion
   | LookAt
   | MakeGesture
+  | SetSpring
   | CallLight
   | CallFraming
   | CallBlack
@@ -2035,7 +2184,11 @@ export type FromServer =
   | InputLog
   | DeviceBytes
   | Hands
+  | MappingLearned
+  | MappingList
   | PadList
+  | SetupList
+  | SetupChanged
   | Kept
   | ItemChanged
   | Layouts
@@ -2099,4 +2252,40 @@ export type PadLook = {
   label: string;
   mix: Record<string, number>;
   place: number[];
+};
+
+/** The half of a target below the middle of its macro. */
+
+export type HalfBelow = {
+  high: number;
+  curve: [number, number][];
+};
+
+/** One of the targets of a macro: what it gives of it, and how that follows. */
+
+export type MacroTarget = {
+  to: string;
+  low: number;
+  high: number;
+  curve: [number, number][];
+  below: HalfBelow | null;
+  rise: number;
+  fall: number;
+};
+
+/** Where a macro plays at all: while something is above a level, or below it. */
+
+export type MacroCondition = {
+  reads: string;
+  level: number;
+  above: boolean;
+  hysteresis: number;
+};
+
+/** What a macro plays: one number under a hand, several targets. */
+
+export type MacroMapping = {
+  name: string;
+  targets: MacroTarget[];
+  when: MacroCondition | null;
 };

@@ -12,6 +12,7 @@ from omote.model.known_names import NEUTRAL, PlayRegion
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.model.space.head_regions import REGIONS_OF, Region
 from omote.perform.mix import combine
+from omote.perform.springs.cast_springs import without_springs
 from omote.show.objects.state import CallState, CharacterState, State
 from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
@@ -61,9 +62,10 @@ def calls_of(character: CharacterState) -> list[CallState]:
 
 
 def channels_of(character: CharacterState) -> dict[str, float]:
-    """The channels of a character as they act, the gaze's part included."""
-    names = (*character.channels, *(name for name in character.lids if name not in character.channels))
-    return {name: character.channels.get(name, 0.0) + character.lids.get(name, 0.0) for name in names}
+    """The channels of a character as they act, the gaze's part included, without what its springs add for a moment."""
+    shown = without_springs(character.channels, None if character.held is None else character.held.channels)
+    names = (*shown, *(name for name in character.lids if name not in shown))
+    return {name: shown.get(name, 0.0) + character.lids.get(name, 0.0) for name in names}
 
 
 def neutral_recipe(net: tuple[int, ...]) -> Recipe:

@@ -66,6 +66,14 @@ class EditableBindings:
             BindingChange(wanted, tuple(binding for binding in self.own if binding.device == device)),
         )
 
+    def give_all(self, change: str, bindings: Sequence[Binding]) -> BindingChange:
+        """Gives all devices bindings in the place of all own ones, as `give`. change: the id by which it can be taken
+        back."""
+        taken = {(binding.device, binding.control) for binding in self.fixed}
+        wanted = tuple(binding for binding in bindings if (binding.device, binding.control) not in taken)
+        gone = tuple(binding for binding in self.own if binding not in wanted)
+        return self._make(change, BindingChange(tuple(each for each in wanted if each not in self.own), gone))
+
     def restore(self, change: str, earlier: str) -> BindingChange:
         """Takes an earlier change back, as far as it still stands; ValueError where it is not remembered."""
         undone = self._changes.get(earlier)

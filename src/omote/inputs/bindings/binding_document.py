@@ -41,6 +41,7 @@ def document_of(binding: Binding) -> BindingDocument:
         relative=binding.relative or "",
         step=binding.step,
         bank=binding.bank,
+        dead_zone=binding.dead_zone,
     )
 
 

@@ -24,6 +24,7 @@ KEYS: Mapping[str, tuple[tuple[type, ...], str]] = {
     "button": ((str,), "a button moves the level: `momentary` while it is held, `toggle` at each press"),
     "relative": ((str,), "an encoder without ends, by its code: `twos_complement`, `binary_offset`, `sign_magnitude`"),
     "step": (NUMBER, "the part of the range that one step of an encoder moves"),
+    "dead_zone": (NUMBER, "how far from its middle a stick counts as there, 0 to 0.45 of its way"),
     "bank": ((str,), "the bank in which it plays; without it, in all"),
 }
 """The keys of a table: what each may be, and what it says."""

@@ -51,6 +51,7 @@ class _Fader:
     curve: float
     pick_up: bool
     near: float
+    has_dead_zone: bool
 
 
 class Bindings:
@@ -229,7 +230,8 @@ class Bindings:
             played.engaged = abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
         if not played.engaged:
             return ()
-        value = fader.low + fader.span * (position if fader.curve == 1.0 else math.pow(position, fader.curve))
+        counts = self.bindings[index].leave_middle(position) if fader.has_dead_zone else position
+        value = fader.low + fader.span * (counts if fader.curve == 1.0 else math.pow(counts, fader.curve))
         if not fader.alone:
             return self._send(index, value, values, number)
         self._sent[fader.path] = number, (value,)
@@ -288,7 +290,17 @@ def _fader_of(binding: Binding) -> _Fader:
     span = binding.high - binding.low
     alone = len(target.values) == 1 and target.values[0].kind != "switch"
     near = MOVED * abs(span)
-    return _Fader(target.path, target.axis, alone, binding.low, span, binding.curve, binding.pick_up, near)
+    return _Fader(
+        target.path,
+        target.axis,
+        alone,
+        binding.low,
+        span,
+        binding.curve,
+        binding.pick_up,
+        near,
+        binding.dead_zone > 0.0,
+    )
 
 
 def _level(values: tuple[Argument, ...], axis: int) -> float | None:

@@ -12,6 +12,9 @@ from omote.inputs.bindings.target import BoundTarget
 Button = Literal["momentary", "toggle"]
 Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
 STEEPEST = 10.0
+WIDEST_DEAD_ZONE = 0.45
+"""Of the way to either side of the middle: beyond, a stick would have no way left."""
+MIDDLE = 0.5
 LONGEST_NAME = 80
 LARGEST_STEP = 1.0
 HIGHEST_BYTE = 127
@@ -31,7 +34,8 @@ class Binding:
     device, control: their names, as a `Reading` has them; low, high: the values at both ends of the control (high may
     be the lower one); curve: exponent of the way between them; pick_up: a fader acts once it has crossed the value on
     air; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
-    step of an encoder moves; bank: the bank in which it plays, "" for all.
+    step of an encoder moves; bank: the bank in which it plays, "" for all; dead_zone: how far from its middle a stick
+    counts as there, 0 to 0.45 of its way.
     """
 
     device: str
@@ -45,12 +49,18 @@ class Binding:
     relative: Encoding | None = None
     step: float = 1.0 / 128.0
     bank: str = ""
+    dead_zone: float = 0.0
 
     def __post_init__(self) -> None:
         for what, name in (("device", self.device), ("control", self.control)):
             if not 1 <= len(name) <= LONGEST_NAME:
                 raise ValueError(f"the {what} is {name[:80]!r}; give its name, of at most {LONGEST_NAME} characters")
-        for what, value, least, most in (("curve", self.curve, 1 / STEEPEST, STEEPEST), ("step", self.step, 1e-6, 1.0)):
+        numbers = (
+            ("curve", self.curve, 1 / STEEPEST, STEEPEST),
+            ("step", self.step, 1e-6, 1.0),
+            ("dead_zone", self.dead_zone, 0.0, WIDEST_DEAD_ZONE),
+        )
+        for what, value, least, most in numbers:
             if not least <= value <= most:
                 raise ValueError(f"{what} is {value}; give {least:g} to {most:g}")
         if self.button not in (None, *get_args(Button)) or self.relative not in (None, *get_args(Encoding)):
@@ -72,12 +82,26 @@ class Binding:
 
     def value_at(self, position: float) -> float:
         """The value of the target where the control stands at a position, 0 to 1."""
-        return self.low + (self.high - self.low) * math.pow(position, self.curve)
+        return self.low + (self.high - self.low) * math.pow(self.leave_middle(position), self.curve)
+
+    def leave_middle(self, position: float) -> float:
+        """Where a control counts as being that stands at a position: in its middle within the dead zone, and from there
+        on without a jump."""
+        if not self.dead_zone:
+            return position
+        away = abs(position - MIDDLE) - self.dead_zone
+        if away <= 0.0:
+            return MIDDLE
+        return MIDDLE + math.copysign(away * MIDDLE / (MIDDLE - self.dead_zone), position - MIDDLE)
 
     def position_of(self, value: float) -> float:
         """The position at which the control has a value of the target; the nearer end where it has none."""
         part = (value - self.low) / (self.high - self.low)
-        return math.pow(min(1.0, max(0.0, part)), 1.0 / self.curve)
+        counts = math.pow(min(1.0, max(0.0, part)), 1.0 / self.curve)
+        if not self.dead_zone or counts == MIDDLE:
+            return counts
+        away = self.dead_zone + abs(counts - MIDDLE) * (MIDDLE - self.dead_zone) / MIDDLE
+        return MIDDLE + math.copysign(away, counts - MIDDLE)
 
     def steps(self, position: float) -> int:
         """How many steps an encoder was turned, from what its control reads."""

@@ -11,7 +11,8 @@ from omote.show.osc import Value
 
 BANK = "bank:"
 """Instead of an address: the bank that a button turns to."""
-USUAL_RANGE = {"channel": (0.0, 1.0)}
+MACRO = "macro"
+USUAL_RANGE = {"channel": (0.0, 1.0), "macro": (0.0, 1.0)}
 """The range of a fader where an address takes more than a fader usually gives."""
 
 
@@ -40,6 +41,11 @@ class BoundTarget:
     def bank(self) -> str | None:
         """The bank that it turns to, None where it plays."""
         return self.path.removeprefix(BANK) if self.path.startswith(BANK) else None
+
+    @property
+    def is_macro(self) -> bool:
+        """Whether it is a macro, whose middle is 0: a stick plays both of its halves."""
+        return f"/{MACRO}/" in self.path
 
     @property
     def usual_range(self) -> tuple[float, float]:

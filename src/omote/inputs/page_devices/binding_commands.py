@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import msgspec
@@ -76,8 +76,19 @@ class BindingCommands:
                 outcome = self.editable.give(change, device, preset.bindings(device, character))
                 self.presets[device] = preset.name
             case RestoreBindings(change, earlier):
-                outcome = self.editable.restore(change, earlier)
+                return self.restore(change, earlier)
         return self._changed(message.id, outcome)
+
+    def give_all(self, change: str, bindings: Sequence[Binding]) -> BindingsChanged:
+        """Gives all devices bindings in the place of all that are not fixed; ValueError where there are too many.
+
+        change: the id by which it can be taken back.
+        """
+        return self._changed(change, self.editable.give_all(change, bindings))
+
+    def restore(self, change: str, earlier: str) -> BindingsChanged:
+        """Takes an earlier change back; ValueError where it is not remembered. change: the id of this one."""
+        return self._changed(change, self.editable.restore(change, earlier))
 
     def know_names(self, reader: OrderReader) -> None:
         """Looks anew which bindings name what is not there. reader: of the cast and the characters of the show."""

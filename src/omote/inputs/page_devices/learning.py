@@ -23,6 +23,8 @@ REPEATED = 3
 """Times in a row that an encoder sends the same step; a dial never sends the same value twice in a row."""
 FARTHEST_STEP = 16
 MOST_CONTROLS = 512
+STICK_DEAD_ZONE = 0.05
+"""Of its way, to either side: a stick that is let go stands up to a tenth of its half beside its middle."""
 STICKS = ("axis", "x", "y", "z", "rx", "ry", "rz")
 
 
@@ -100,9 +102,12 @@ class Learning:
     def _bind(self, reading: Reading, **more: Any) -> Binding:
         low, high = self.target.usual_range if self.target.is_level else (0.0, 1.0)
         control = reading.control if more else self._whole(reading)
-        pick_up = {"pick_up": not _is_stick(reading) and not control.startswith("trigger")}
+        is_stick = _is_stick(reading)
+        fits: dict[str, Any] = {"pick_up": not is_stick and not control.startswith("trigger")}
+        if is_stick and self.target.is_macro:
+            fits |= {"low": -high, "dead_zone": STICK_DEAD_ZONE}
         return Binding(
-            reading.device, control, self.target, **{"low": low, "high": high, "bank": self.bank, **pick_up, **more}
+            reading.device, control, self.target, **{"low": low, "high": high, "bank": self.bank, **fits, **more}
         )
 
     def _whole(self, reading: Reading) -> str:

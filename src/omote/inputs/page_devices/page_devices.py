@@ -14,6 +14,7 @@ from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
 from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.page_devices.plugged_device import PluggedDevice
+from omote.inputs.page_devices.setup_commands import SetupCommands
 from omote.inputs.reading import Reading
 from omote.inputs.show_control_orders import is_meant, read_show_control
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
@@ -31,6 +32,7 @@ from omote.show.objects.devices import (
     Unplug,
     WatchDevices,
 )
+from omote.show.objects.hand.setups import SetupMessage
 from omote.show.objects.link import Refused
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
@@ -74,7 +76,8 @@ class NoSwitches:
 
 class PageDevices:
     """All devices of a show. bindings: play readings; commands: change bindings; probes: of other sources, such as OSC;
-    switches: what can be switched beside them; show_control: the device that the show is for MIDI Show Control."""
+    switches: what can be switched beside them; show_control: the device that the show is for MIDI Show Control; setups:
+    change mappings and bindings."""
 
     def __init__(
         self,
@@ -85,6 +88,7 @@ class PageDevices:
         probes: Callable[[], Iterable[Probe]] = tuple,
         switches: Switches | None = None,
         show_control: int = 0,
+        setups: SetupCommands | None = None,
     ) -> None:
         self._session = session
         self._bindings = bindings
@@ -93,11 +97,13 @@ class PageDevices:
         self._probes = probes
         self._switches = switches or NoSwitches()
         self._show_control = show_control
+        self._setups = setups or SetupCommands(session, commands)
         self._sources: dict[Probe, SourceHealth] = {}
         self.devices: dict[str, PluggedDevice] = {}
         self._watching: set[str] = set()
         self._told: dict[str, tuple[int, int]] = {}
         self._log_told: dict[str, int] = {}
+        self._setups_told: dict[str, int] = {}
         self._plugs = self._ticks = 0
         self._reader: OrderReader | None = None
         bindings.osc.seat_of = self._seat_of
@@ -123,10 +129,11 @@ class PageDevices:
         """
         self._bindings.note_state(state)
         self._commands.pass_time(now)
+        self._setups.look()
         self._unplug_lost(now)
         self._know_names()
         self._ticks += 1
-        outgoing = self._presets_loaded(now) + self._news(now)
+        outgoing = self._presets_loaded(now) + self._news(now) + self._news_of_setups()
         if self._ticks % FEEDBACK_TICKS == 0:
             outgoing += self._feedback(now)
         return outgoing
@@ -182,6 +189,8 @@ class PageDevices:
                 self._plugs += 1
                 verb = "switched on" if message.on else "switched off"
                 self.log.note(message.word.partition(":")[0], f"{verb} at {self._name_of(who)}", now)
+            case SetupMessage():
+                return [Outgoing(who, self._setups.carry_out(who, message, now))]
             case Bind() | Unbind() | LoadPreset() | RestoreBindings():
                 changed = self._commands.carry_out(message)
                 if isinstance(message, LoadPreset) and message.device in self.devices:
@@ -332,6 +341,14 @@ class PageDevices:
             devices = self.devices_now(now)
             outgoing += [Outgoing(who, devices) for who in consoles if who in due]
         return outgoing + (self._log_news(now) if watched else [])
+
+    def _news_of_setups(self) -> list[Outgoing]:
+        """What consoles are told of set-ups: with each change, and where there are any when they come."""
+        number = self._setups.number
+        told = {who: self._setups_told.get(who, 0) for who in self._session().members.consoles()}
+        self._setups_told = dict.fromkeys(told, number)
+        due = [who for who, known in told.items() if known != number]
+        return [Outgoing(who, setups) for setups in ([self._setups.list_now()] if due else []) for who in due]
 
     def _log_news(self, now: float) -> list[Outgoing]:
         for device in self.devices.values():

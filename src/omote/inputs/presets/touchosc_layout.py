@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import py2tosc
 from py2tosc import Control, ControlType, OscMessage, ui
 
-from omote.inputs.oscquery_tree import Node, build_addresses, find_node
+from omote.inputs.oscquery_tree import NO_PADS, Node, build_addresses, find_node
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.show.osc import ROOT
@@ -20,6 +20,7 @@ OF_CHARACTER = {
     "faces": ("face", "fade/face", "enter", "leave", "panic"),
     "expressions": ("expression", "fade/expression", "panic"),
     "head and gaze": ("head", "gaze"),
+    "pads": ("pad",),
     "layers": ("layer",),
     "channels": ("channel",),
     "leases": ("lease", "take_over", "release_lease"),
@@ -37,11 +38,13 @@ COLORS = {"s": "#3a6ea5", "f": "#4d8f5a", "ff": "#8a6bb0", "": "#b03a3a"}
 SPACE = 6
 
 
-def build_touchosc_layout(cast: Playable, characters: Iterable[str]) -> bytes:
-    """The file of a layout (`.tosc`) that plays these characters with the names of a cast."""
+def build_touchosc_layout(cast: Playable, characters: Iterable[str], pads: Mapping[str, int] = NO_PADS) -> bytes:
+    """The file of a layout (`.tosc`) that plays these characters with the names of a cast.
+
+    pads: the dimensions of each, by name."""
     named = list(characters)
     named += [ALL] if len(named) > 1 else []
-    tree = build_addresses(cast, named)
+    tree = build_addresses(cast, named, pads)
     pages = [_character_page(tree, name) for name in named]
     document = py2tosc.Document(
         root=ui.stack(ui.pager(*pages, _show_page(tree), name="characters"), frame=FRAME, name="Omote")

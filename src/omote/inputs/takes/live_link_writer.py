@@ -21,8 +21,6 @@ EYES_REST = 3.77
 """Degrees by which each eye of ARKit's is turned out where its weights are 0."""
 EYE_RANGES = {"Up": 26.0, "Down": 35.0, "In": 35.5, "Out": 33.4}
 """Degrees that an eye of ARKit's turns from its rest at the weight 1, by where to."""
-OVERSHOOT = 0.02
-"""By which a curve between frames may be below 0 where no frame is."""
 
 
 def live_link_csv(frames: ClipFrames) -> tuple[str, tuple[str, ...]]:
@@ -50,7 +48,7 @@ def live_link_csv(frames: ClipFrames) -> tuple[str, tuple[str, ...]]:
     notes = [*frames.notes, *(f"{name} is no coefficient of ARKit, and is left out" for name in lost)]
     still = np.zeros(len(frames.times))
     table = np.column_stack([weights.get(name, still) for name in COLUMNS])
-    below = sorted(name for name, values in zip(COLUMNS, table.T, strict=True) if values.min() < -OVERSHOOT)
+    below = sorted(name for name, values in zip(COLUMNS, table.T, strict=True) if values.min() < 0.0)
     notes += [f"{name} goes below 0, where the format ends" for name in below]
     eye = np.column_stack([-frames.gaze, still])
     angles = np.column_stack([frames.head * [-1.0, -1.0, 1.0], eye, eye])

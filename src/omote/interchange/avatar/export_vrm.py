@@ -7,14 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from omote.arrays import Points
-from omote.interchange.avatar.humanoid_skeleton import Position, Skeleton, add_joints, bind_meshes, build_skeleton
+from omote.arrays import Points, Values
+from omote.interchange.avatar.humanoid_skeleton import Joint, Skeleton, add_joints, bind_meshes, build_skeleton
 from omote.interchange.avatar.preset_expressions import (
     custom_expressions,
     find_overrides,
     preset_weights,
     required_expressions,
 )
+from omote.interchange.avatar.spring_bones import EXTENSION as SPRINGS
+from omote.interchange.avatar.spring_bones import EarBone, describe_old_springs, describe_springs, find_ear_bones
 from omote.interchange.avatar.vrm0_extension import EXTENSION as EXTENSION_0
 from omote.interchange.avatar.vrm0_extension import describe_vrm0
 from omote.interchange.avatar.vrm_extension import (
@@ -39,6 +41,8 @@ from omote.interchange.formats.glb_writer import (
     encode_glb,
 )
 from omote.model.space.face_fit import fit
+
+Ears = tuple[EarBone, ...]
 
 HEAD = "head"
 TURNED = np.array([-1.0, 1.0, -1.0])
@@ -73,6 +77,7 @@ def vrm_bytes(
     }
     fitted = fit(cast.space, cast.faces[face])
     skeleton = build_skeleton(cast.space, fitted)
+    ears = find_ear_bones(cast.space, cast.faces[face], skeleton.shift)
     scene = _stand(build_scene(context, face, worn.items(), hair=hair, collar=True), skeleton)
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
@@ -80,7 +85,7 @@ def vrm_bytes(
     meta = describe_meta(credit.labels.get(face, face), credit.authors, terms, NOTICE)
     gaze = describe_gaze(cast, skeleton.eyes)
     parts = {"meta": meta, "expressions": expressions} | ({"lookAt": gaze} if gaze else {})
-    return _encode(scene, skeleton, parts) if credit.version == VERSION else _encode_old(scene, skeleton, parts)
+    return (_encode if credit.version == VERSION else _encode_old)(scene, skeleton, ears, parts)
 
 
 def _stand(scene: ExportScene, skeleton: Skeleton) -> ExportScene:
@@ -94,23 +99,26 @@ def _placed(shape: Shape, shift: Points) -> Shape:
     return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets)
 
 
-def _encode(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
-    document, store, extension = _describe(scene, skeleton, parts)
-    return encode_glb(document | {"extensions": {EXTENSION: extension}, "extensionsUsed": [EXTENSION]}, store)
+def _encode(scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]) -> bytes:
+    document, store, extension, nodes = _describe(scene, skeleton, ears, parts)
+    extensions = {EXTENSION: extension} | ({SPRINGS: describe_springs(ears, nodes)} if ears else {})
+    return encode_glb(document | {"extensions": extensions, "extensionsUsed": [*extensions]}, store)
 
 
-def _encode_old(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
+def _encode_old(scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]) -> bytes:
     """The same as VRM 0.x, turned to look along -z."""
-    joints = {name: replace(joint, place=_turned(joint.place)) for name, joint in skeleton.joints.items()}
-    shapes = [_turn_shape(shape) for shape in scene.shapes]
-    document, store, extension = _describe(replace(scene, shapes=shapes), replace(skeleton, joints=joints), parts)
+    joints = {name: _turn_joint(joint) for name, joint in skeleton.joints.items()}
+    ears = tuple(replace(ear, root=_turn_joint(ear.root), tip=_turn_joint(ear.tip)) for ear in ears)
+    turned = replace(scene, shapes=[_turn_shape(shape) for shape in scene.shapes])
+    document, store, extension, nodes = _describe(turned, replace(skeleton, joints=joints), ears, parts)
     old = describe_vrm0(extension, [material["name"] for material in document["materials"]], GENERATOR)
+    old["secondaryAnimation"]["boneGroups"] = describe_old_springs(ears, nodes)
     return encode_glb(document | {"extensions": {EXTENSION_0: old}, "extensionsUsed": [EXTENSION_0]}, store)
 
 
-def _turned(place: Position) -> Position:
-    x, y, z = place
-    return 0.0 - x, y, 0.0 - z
+def _turn_joint(joint: Joint) -> Joint:
+    x, y, z = joint.place
+    return replace(joint, place=(0.0 - x, y, 0.0 - z))
 
 
 def _turn_shape(shape: Shape) -> Shape:
@@ -119,12 +127,22 @@ def _turn_shape(shape: Shape) -> Shape:
     return replace(shape, points=shape.points * half, normals=shape.normals * half, targets=targets)
 
 
-def _describe(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> tuple[Json, Store, Json]:
-    """The document of the scene on its skeleton, what it names, and the extension of 1.0."""
+def _describe(
+    scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]
+) -> tuple[Json, Store, Json, dict[str, int]]:
+    """The document of the scene on its skeleton, what it names, the extension of 1.0, and the nodes of joints."""
     store = Store()
     document = describe_scene(scene, store)
-    nodes = add_joints(document, skeleton.joints)
-    bind_meshes(document, store, skeleton.joints[HEAD], nodes[HEAD])
+    swinging = {joint.name: joint for ear in ears for joint in (ear.root, ear.tip)}
+    nodes = add_joints(document, {**skeleton.joints, **swinging})
+    bound = [skeleton.joints[HEAD], *(ear.root for ear in ears)]
+    bind_meshes(document, store, bound, [nodes[joint.name] for joint in bound], _hanging(scene, ears))
     seen = describe_first_person(range(1, 1 + len(scene.shapes)))
-    extension = {"specVersion": VERSION, **parts, "humanoid": describe_bones(nodes), "firstPerson": seen}
-    return document, store, extension
+    bones = describe_bones({name: nodes[name] for name in skeleton.joints})
+    return document, store, {"specVersion": VERSION, **parts, "humanoid": bones, "firstPerson": seen}, nodes
+
+
+def _hanging(scene: ExportScene, ears: Ears) -> dict[str, Values]:
+    """How much of each vertex of the skin hangs on each ear, (n, ears); nothing where there are none."""
+    skins = {shape.name: shape.rows for shape in scene.shapes if shape.name == SKIN and shape.rows is not None}
+    return {name: np.stack([ear.shares[rows] for ear in ears], axis=1) for name, rows in skins.items() if ears}

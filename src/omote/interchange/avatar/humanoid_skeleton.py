@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from omote.arrays import Points
+from omote.arrays import Points, Values
 from omote.interchange.formats.glb_writer import FLOAT, UNSIGNED_BYTE, VERTICES, Json, Store
 from omote.model.space.face_fit import FittedFace
 from omote.model.space.head_size import find_chin, find_crown
@@ -101,23 +102,38 @@ def add_joints(document: Json, joints: Mapping[str, Joint], /) -> dict[str, int]
     return places
 
 
-def bind_meshes(document: Json, store: Store, joint: Joint, node: int, /) -> None:
-    """Binds every mesh of a document to a joint, whose node is given; points are those of the scene.
+def bind_meshes(
+    document: Json, store: Store, joints: Sequence[Joint], nodes: Sequence[int], shares: Mapping[str, Values], /
+) -> None:
+    """Binds every mesh of a document to joints, whose nodes are given; points are those of the scene.
 
-    document, store: the glTF and its numbers, which change; joint, node: the joint, and where it stands in the
-    document.
+    document, store: the glTF and its numbers, which change; joints, nodes: the joints, four at most, and where they
+    stand in the document; shares: how much of each vertex hangs on each joint but the first, (n, joints - 1) by mesh,
+    which has the rest, and all of other meshes.
     """
-    inverse = np.eye(4, dtype="<f4")
-    inverse[3, :3] = -np.array(joint.place)  # the file has column after column
-    matrix = {"bufferView": store.view(inverse.tobytes()), "componentType": FLOAT, "count": 1, "type": "MAT4"}
-    document["skins"] = [{"joints": [node], "skeleton": node, "inverseBindMatrices": store.accessor(matrix)}]
+    inverse = np.tile(np.eye(4, dtype="<f4"), (len(joints), 1, 1))
+    inverse[:, 3, :3] = [[-along for along in joint.place] for joint in joints]  # the file has column after column
+    form = {"componentType": FLOAT, "count": len(joints), "type": "MAT4"}
+    matrix = store.accessor({"bufferView": store.view(inverse.tobytes()), **form})
+    document["skins"] = [{"joints": [*nodes], "skeleton": nodes[0], "inverseBindMatrices": matrix}]
     for place in document["scenes"][0]["nodes"][1:]:
         bound = document["nodes"][place]
         bound["skin"] = 0
-        attributes = document["meshes"][bound["mesh"]]["primitives"][0]["attributes"]
+        mesh = document["meshes"][bound["mesh"]]
+        attributes = mesh["primitives"][0]["attributes"]
         count = store.accessors[attributes["POSITION"]]["count"]
         form = {"componentType": UNSIGNED_BYTE, "count": count, "type": "VEC4"}
-        first = store.view(bytes(4 * count), VERTICES)
-        whole = store.view(bytes([255, 0, 0, 0]) * count, VERTICES)
-        attributes["JOINTS_0"] = store.accessor({"bufferView": first, **form})
-        attributes["WEIGHTS_0"] = store.accessor({"bufferView": whole, **form, "normalized": True})
+        weights = _weights(shares.get(mesh["name"], np.zeros((count, 0))))
+        numbers = np.where(weights > 0, np.arange(4, dtype=np.uint8), np.uint8(0))
+        hangs = store.view(numbers.tobytes(), VERTICES)
+        parts = store.view(weights.tobytes(), VERTICES)
+        attributes["JOINTS_0"] = store.accessor({"bufferView": hangs, **form})
+        attributes["WEIGHTS_0"] = store.accessor({"bufferView": parts, **form, "normalized": True})
+
+
+def _weights(shares: Values) -> NDArray[np.uint8]:
+    """The weights of four joints, (n, 4) of 255, the first with what the others leave. shares: of those, (n, k)."""
+    weights = np.zeros((len(shares), 4), np.uint8)
+    weights[:, 1 : 1 + shares.shape[1]] = np.rint(255.0 * shares)
+    weights[:, 0] = 255 - weights[:, 1:].sum(axis=1)
+    return weights

@@ -22,6 +22,11 @@ APART = 1e-6
 """Weights by which regions of one expression may differ and still be one."""
 
 
+UNDERSHOOT = 0.02
+"""Weight by which a curve between frames may be below 0 where no frame is: the cubic's own doing, and no shape of a
+face. A show plays it; programs that read a file may draw lids apart by it, and formats begin at 0."""
+
+
 @dataclass(frozen=True, eq=False)
 class ClipFrames:
     """Frames of a clip. rate: of a second; times (n,): seconds from its start; weights: by expression or channel, (n,)
@@ -54,7 +59,8 @@ def sample_clip(clip: Clip, *, rate: float = USUAL_RATE) -> ClipFrames:
     Returns
     -------
     ClipFrames
-        An expression that some regions alone show has their mean weight, and is among the notes.
+        An expression that some regions alone show has their mean weight, and is among the notes. A weight that goes
+        below 0 by no more than .02 ends at 0.
 
     Raises
     ------
@@ -82,7 +88,13 @@ def sample_clip(clip: Clip, *, rate: float = USUAL_RATE) -> ClipFrames:
             notes.append(f"{name} shows in some regions alone, and is written by its mean weight")
         weights[name] = weights.get(name, np.zeros(count)) + regions.mean(axis=0)
     head, gaze = (_turns(columns, names, count) for names in (HEAD_COLUMNS, GAZE_COLUMNS))
+    weights = {name: _without_undershoot(values) for name, values in weights.items()}
     return ClipFrames(rate, times, weights, head, gaze, tuple(notes))
+
+
+def _without_undershoot(values: Values) -> Values:
+    """A weight (n,) that ends at 0 where only the curve between frames goes below; as it is where somebody meant it."""
+    return np.maximum(values, 0.0) if values.min() >= -UNDERSHOOT else values
 
 
 def _turns(columns: Mapping[str, Values], names: tuple[str, ...], count: int) -> Values:

@@ -22,8 +22,10 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.cues.cue import Cue, CueList, Move, check_cues
 from omote.perform.cues.cue_action import CueAction, check_actions
 from omote.perform.layers.layer_names import check_part
+from omote.perform.pads.blend_space import AXES
 from omote.perform.scene.clip_goals import ClipCall, clip_of_goal, goal_of_clip
 from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, passes, ranges_of, takes_one_number
+from omote.perform.scene.pad_goals import PAD, is_pad_goal, point_of_goal
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
     each.name: each for each in fields(Cue) if each.name not in ("identity", "moves", "actions")
@@ -279,6 +281,8 @@ def _goal(part: Part, to: Any) -> Goal:
         return dict.fromkeys(ranges, to)
     if isinstance(to, dict) and passes(part) and isinstance(to.get("clip"), str):
         return _clip_goal(to)
+    if isinstance(to, dict) and isinstance(to.get("pad"), str):
+        return {f"{PAD}{to['pad']}": 1.0, **{f":{axis}": at for axis, at in to.items() if axis != "pad"}}
     if isinstance(to, dict):
         return to
     expected = (
@@ -339,6 +343,10 @@ def _format_goal(part: Part, goal: Goal) -> str:
     name, value = next(iter(goal.items()))
     if takes_one_number(part) and set(goal.values()) == {value}:
         return _value(value)
+    if is_pad_goal(part, goal):
+        pad, place = point_of_goal(goal)
+        numbers = (f"{axis} = {_value(at)}" for axis, at in zip(AXES, place, strict=False))
+        return f"{{ {', '.join((f'pad = {_value(pad)}', *numbers))} }}"
     if passes(part) and len(goal) > 1:
         return _format_clip(clip_of_goal(goal))
     if goal == {name: 1.0} and ranges_of(part) is None and name != _nothing(part):

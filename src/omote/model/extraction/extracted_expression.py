@@ -57,6 +57,8 @@ class ExtractedExpression(Expression):
         Turns of the ears, radians.
     head : array_like, (3,)
         Turn of the head, radians.
+    signed : bool
+        Not played below 0: a displacement does not say it.
     uncertainty : ndarray of float64, (V,)
         How far the skin of other faces may be off, metres: 0 where the displacement says it, or a sum of known
         expressions does. An estimate, good on the sheet and low inside the mouth: `benchmarks/extraction.py` says how

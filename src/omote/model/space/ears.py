@@ -31,6 +31,8 @@ _SMALL = 1e-9
 # Where an ear that turns folds: the share of its area that a triangle gets, and steps at most.
 _REPAIRED_AREA = 0.05
 _STEPS = 200
+# Rounds at most until neither way of a signed turn folds; those of the cast take 3.
+_BOTH_WAYS = 40
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,15 +74,28 @@ def find_ear(weights: Values, rest: Values, /) -> Ear | None:
     return Ear(root, away / length) if length > _SMALL else None
 
 
-def turn_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
+def turn_ears(
+    space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /, *, signed: bool = False
+) -> Floats:  # fmt: skip
     """The skin (V, 3) of a face at rest (V, 3) with its ears turned (`rotate_ears`), metres, float32; triangles between
     skull and ear that this turns over are brought back by position based dynamics (Mueller et al. 2007).
 
-    space: the space of the generic head.
+    space: the space of the generic head. signed: what ears do is played below 0 too: they go as far the one way as the
+    other, and neither way turns triangles over.
     """
     moved = rotate_ears(space, rest, skin, turns).astype(np.float64)
+    still = skin.astype(np.float64)
+    if signed:
+        moved = still + 0.5 * (moved - rotate_ears(space, rest, skin, -turns))
     for weights, (_, axis) in rotations(space, rest, turns):
-        _repair_folds(space, rest.astype(np.float64), skin.astype(np.float64), moved, weights, axis)
+        folds = _repair_folds(space, rest.astype(np.float64), still, moved, weights, axis)
+        for _ in range(_BOTH_WAYS if signed else 0):
+            opposite = 2.0 * still - moved
+            folds |= _repair_folds(space, rest.astype(np.float64), still, opposite, weights, -axis)
+            moved = 2.0 * still - opposite
+            if not folds:
+                break
+            folds = _repair_folds(space, rest.astype(np.float64), still, moved, weights, axis)
     return np.where(space.on_sheet[:, None], moved[space.welded], moved).astype(np.float32)
 
 
@@ -116,9 +131,9 @@ def rotations(space: ParameterSpace, rest: Floats, turns: Values, /) -> list[tup
 
 def _repair_folds(
     space: ParameterSpace, rest: Values, skin: Values, moved: Values, weights: Values, axis: Values
-) -> None:
+) -> bool:
     """Brings triangles that turn over between skin and moved (V, 3) back in moved, in place; their normals at rest turn
-    with them."""
+    with them. Returns whether any did."""
     corners = space.sheet_triangles[(weights[space.sheet_triangles] > 0).any(axis=1)]
     normals, sizes = rest_normals(rest, corners)
     turned = Rotation.from_rotvec(weights[corners].mean(axis=1)[:, None] * axis).apply(normals)
@@ -127,3 +142,5 @@ def _repair_folds(
     if ((after < 0) & (before >= 0)).any():
         goals = np.where(before < 0, -np.inf, np.minimum(_REPAIRED_AREA, before))
         repair_triangles(moved, turned, sizes, corners, goals, _STEPS)
+        return True
+    return False

@@ -45,6 +45,8 @@ class Expression:
         How far the left and the right ear turn back, up and out, radians; only faces with a gain for ears answer it.
     head : array_like, (3,)
         Yaw, pitch and roll of the head, radians; only faces with a gain for the head answer it.
+    signed : bool
+        Whether it is played below 0 as far as above it, as by a spring: ears then go as far the one way as the other.
 
     Raises
     ------
@@ -76,6 +78,7 @@ class Expression:
     name: str = ""
     ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
     head: Values = field(default_factory=lambda: np.zeros(3))
+    signed: bool = False
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)
@@ -127,8 +130,8 @@ def refuse_name(name: object, what: str, /) -> None:
 
 @dataclass(frozen=True)
 class Title:
-    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "omote", "own") and
-    region."""
+    """How an expression is presented: label, kind ("neutral", "performed", "arkit", "makehuman", "omote", "spring",
+    "own") and region."""
 
     label: str
     kind: str = "own"

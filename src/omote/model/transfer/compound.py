@@ -84,7 +84,9 @@ def apply_expression(space: ParameterSpace, face: Face, compiled: Compiled, /) -
     fitted = fit(space, face)
     paper = space.transfer == "paper"
     skin = apply_paper_map(space, fitted, compiled) if paper else transfer_expression(space, face, compiled)
-    return turn_ears(space, fitted.positions, skin, compiled.ears) if compiled.ears.any() else skin
+    if not compiled.ears.any():
+        return skin
+    return turn_ears(space, fitted.positions, skin, compiled.ears, signed=compiled.signed)
 
 
 def predict_part(space: ParameterSpace, name: str, displacement: Values, /) -> Values:

@@ -29,7 +29,7 @@ class Compiled:
     ratios[v].
 
     residual (inner, 3), the expression's parts and its turn of the ears (2, 3) come weighted; inside (V,) tells which
-    walks ended in a triangle.
+    walks ended in a triangle; signed: as of `Expression`.
     """
 
     indices: Indices
@@ -39,6 +39,7 @@ class Compiled:
     parts: Mapping[str, Values]
     inside: Mask
     ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
+    signed: bool = False
 
 
 def _checked_weight(weight: object) -> float:
@@ -116,7 +117,9 @@ def compile_expression(space: ParameterSpace, expression: Expression, /, weight:
         space, weight * expression.dtheta, weight * expression.dh, ratios, weight * expression.residual,
         {name: weight * rest for name, rest in expression.parts.items()},
     )  # fmt: skip
-    return replace(located, ears=weight * expression.ears) if expression.ears.any() else located
+    if not expression.ears.any():
+        return located
+    return replace(located, ears=weight * expression.ears, signed=expression.signed)
 
 
 def locate_field(

@@ -20,9 +20,9 @@ from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.frame_correctives import angles_of_eyes, correct_frame, correct_parts, sum_points
 from omote.perform.blending.region_masks import PlayMask, play_masks
 from omote.perform.blending.weighted_sum import weighted_sum
-from omote.perform.channels import channels_of, highest_weight
+from omote.perform.channels import channels_of, highest_weight, lowest_weight
 from omote.perform.frame import Frame
-from omote.perform.limits import CHANNEL_LOWEST, check_known, check_within
+from omote.perform.limits import check_known, check_within
 from omote.perform.mix import Weights, combine
 
 Mode = Literal["bilinear", "exact"]
@@ -249,7 +249,7 @@ def check_playable(cast: Cast, frame: Frame) -> None:
         _refuse_no_average(mix, cast.expressions, f"{check_play_region(region)} expression")
     for name, weight in _pairs_of(frame.channels, "channel"):
         what = f"the channel {check_known(name, cast.expressions, 'channel')}"
-        check_within(weight, CHANNEL_LOWEST, highest_weight(cast.expressions, name), what)
+        check_within(weight, lowest_weight(cast.expressions, name), highest_weight(cast.expressions, name), what)
 
 
 def _refuse_no_average(weights: Mapping[str, float], names: Mapping[str, object], what: str) -> None:

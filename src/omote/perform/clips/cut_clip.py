@@ -17,6 +17,7 @@ from omote.perform.frame import Frame
 from omote.perform.layers.columns import GAZE_PART
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, check_part, part_of_channel
 from omote.perform.mix import mix_in
+from omote.perform.springs.cast_springs import without_springs
 
 
 class Shown(Protocol):
@@ -41,6 +42,10 @@ class Shown(Protocol):
     @property
     def gaze(self) -> Any:
         """Yaw and pitch, radians."""
+
+    @property
+    def held(self) -> Any:
+        """What hands hold, with channels; None where that is what shows."""
 
 
 class HasTitles(Protocol):
@@ -113,7 +118,8 @@ class CurveBuilder:
         values = dict(
             zip((*HEAD_COLUMNS, *GAZE_COLUMNS), (*_turned(shown.head, 3), *_turned(shown.gaze, 2)), strict=True)
         )
-        values |= {f"{CHANNEL}/{name}": value for name, value in shown.channels.items() if name not in GAZE_UNITS}
+        channels = without_springs(shown.channels, None if shown.held is None else shown.held.channels)
+        values |= {f"{CHANNEL}/{name}": value for name, value in channels.items() if name not in GAZE_UNITS}
         for region in PLAY_REGIONS:
             mix = mix_in(region, shown.expressions, shown.regions)
             values |= {f"{region}/{name}": weight for name, weight in mix.items()}

@@ -20,6 +20,8 @@ GAP_SECONDS = 0.25
 """A GO that comes sooner after another is a key that bounces, or a finger that slips."""
 RETURN_SECONDS = 1.0
 """In which Back and an assertion bring what they bring."""
+BACK = "Back"
+ASSERT = "Assert"
 MOST_STEPS = 100
 """That Back undoes."""
 ReadGoal = Callable[[Part], Goal]
@@ -29,12 +31,13 @@ ReadGoal = Callable[[Part], Goal]
 @dataclass(frozen=True)
 class Call:
     """A part that is called: its move, when, seconds of the state's clock, and by which cue, by identity; None where it
-    goes back."""
+    is called by an act of the whole list, "Back" or "Assert"."""
 
     part: Part
     move: Move
     at: float
     cue: str | None = None
+    act: str = ""
 
 
 @dataclass(frozen=True)
@@ -82,11 +85,12 @@ class Step:
 
 @dataclass(frozen=True)
 class Moving:
-    """A part that a cue has called, and when it arrives, seconds of the state's clock. cue: as of `Call`."""
+    """A part that has been called, and when it arrives, seconds of the state's clock. cue, act: as of `Call`."""
 
     part: Part
     cue: str | None
     until: float
+    act: str = ""
 
 
 @dataclass(frozen=True)
@@ -144,7 +148,8 @@ def go_to(state: CueState, cues: CueList, place: int, read: ReadGoal, *, whole: 
     later = _called(_waiting_for_nothing(state), cues, place, state.clock, read)
     moved = _taken((*stands, *cue.moves))
     steps = (*state.steps, _step(state, tracked, moved, read, cue.identity))[-MOST_STEPS:]
-    calls = _face_first((*_returning(stands, state.clock), *later.calls))
+    standing = (replace(call, cue=cue.identity) for call in _returning(stands, state.clock, ""))
+    calls = _face_first((*standing, *later.calls))
     return replace(later, tracked=tracked, steps=steps, calls=calls)
 
 
@@ -156,7 +161,7 @@ def go_back(state: CueState) -> CueState:
     stood = {**state.tracked, **step.stood}
     tracked = {part: goal for part, goal in stood.items() if goal is not None}
     goals = {part: tracked.get(part, step.before.get(part)) for part in step.moved}
-    calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock)
+    calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock, BACK)
     back = replace(_waiting_for_nothing(state), current=step.current, standby=step.left, tracked=tracked)
     return replace(back, steps=state.steps[:-1], calls=calls)
 
@@ -164,7 +169,7 @@ def go_back(state: CueState) -> CueState:
 def with_moving(state: CueState) -> CueState:
     """The state after an act or a step, with what its calls have set on its way and without what has arrived."""
     called = {part for call in state.calls for part in (call.part, *regions_of(call.part))}
-    begun = (Moving(call.part, call.cue, call.at + call.move.seconds) for call in state.calls)
+    begun = (Moving(call.part, call.cue, call.at + call.move.seconds, call.act) for call in state.calls)
     under_way = (*(one for one in state.moving if one.part not in called), *begun)
     moving = tuple(one for one in under_way if one.until > state.clock)
     return state if moving == state.moving else replace(state, moving=moving)
@@ -172,7 +177,7 @@ def with_moving(state: CueState) -> CueState:
 
 def assert_look(state: CueState) -> CueState:
     """Calls all that the cues have left standing again, whoever has moved it since; nothing waits any more."""
-    calls = _returning(state.tracked, state.clock)
+    calls = _returning(state.tracked, state.clock, ASSERT)
     return replace(_waiting_for_nothing(state), calls=calls)
 
 
@@ -336,9 +341,9 @@ def _without(waiting: Iterable[Waiting], parts: Collection[Part]) -> Iterator[Wa
     return (one for one in waiting if one.part not in parts)
 
 
-def _returning(goals: Tracked, at: float) -> tuple[Call, ...]:
-    """Calls of goals that stood before."""
-    return _face_first(Call(part, Move(goal, RETURN_SECONDS), at) for part, goal in goals.items())
+def _returning(goals: Tracked, at: float, act: str) -> tuple[Call, ...]:
+    """Calls of goals that stood before, by an act."""
+    return _face_first(Call(part, Move(goal, RETURN_SECONDS), at, act=act) for part, goal in goals.items())
 
 
 def _face_first(calls: Iterable[Call]) -> tuple[Call, ...]:

@@ -63,6 +63,10 @@ class PadLook:
     --------
     >>> omote.PadLook("Smile", {"smile": 1.0}, (0.5, 0.5)).place
     (0.5, 0.5)
+
+    References
+    ----------
+    docs/method.md, "Pads".
     """
 
     label: str
@@ -165,9 +169,9 @@ class Pad:
 
         Examples
         --------
-        >>> looks = [omote.PadLook(name, {name: 1.0}, (at,)) for name, at in (("sad", -1), ("neutral", 0), ("joy", 1))]
+        >>> looks = [omote.PadLook(name, {name: 1.0}, (at,)) for name, at in (("neutral", 0), ("joy", 1))]
         >>> omote.Pad("mood", "expression", 1, looks).weights_at((0.5,))
-        [0.0, 0.5, 0.5]
+        [0.5, 0.5]
         """
         return self._weights(self.check_place(place))
 
@@ -204,7 +208,7 @@ class Pad:
         {'neutral': 1.0}
         """
         weights = self._weights(self.check_place(place))
-        mix = combine((weight, look.mix) for weight, look in zip(weights, self.looks, strict=True))
+        mix = combine([(weight, look.mix) for weight, look in zip(weights, self.looks, strict=True) if weight])
         if known is None or all(name in known for name in mix):
             return mix
         return combine((1.0, {name if name in known else instead: weight}) for name, weight in mix.items())
@@ -322,7 +326,7 @@ def _soft_bands() -> Callable[..., None]:
     """The kernel, loaded when a first point is moved: Numba takes a third of a second, and most programs need none."""
     from omote.perform.pads.soft_bands import soft_bands
 
-    return soft_bands  # type: ignore[no-any-return]
+    return soft_bands
 
 
 def fitted(place: Iterable[float], dimensions: int) -> PadPlace:

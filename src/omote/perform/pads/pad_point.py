@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from omote.perform.frame import with_fields
-from omote.perform.layers.follower import NEAR, rate_of, steps_of
+from omote.perform.layers.follower import LONGEST_STEP, NEAR, rate_of, steps_of
 from omote.perform.mix import Weights, combine
 from omote.perform.pads.blend_space import PadPlace
 
 FOLLOW_SECONDS = 0.06
 """In which nine tenths of a step of the weights are gone: a stick that jumps shows no jump. To smooth the place instead
 cures nothing, for a straight way has kinks where it passes a look."""
-TAKE_UP_SECONDS = 0.25
-"""In which what shows makes way for a pad whose point is taken up: as soon as a panic is over."""
+TAKE_UP_SECONDS = 0.33
+"""In which what shows makes way for a pad whose point is taken up: as the speed of what was taken over dies out. In .25
+a hand that takes up another pad each moment bends weights by 1/16 of what a freeze does; this leaves room below."""
 NOTHING = 1e-12
 """What weighs less while a point moves is forgotten."""
 _RATE = rate_of(FOLLOW_SECONDS)
@@ -46,25 +46,38 @@ def point_after(point: PadPoint, dt: float) -> PadPoint:
     """The point `dt` seconds later, the same object where nothing moves."""
     if point.second is point.goal or not dt:
         return point
-    names = dict.fromkeys((*point.goal, *point.second, *point.first), 0.0)
-    first = {**names, **point.first}
-    second = {**names, **point.second}
-    farthest = 0.0
-    for step in steps_of(dt):
-        z = _RATE * step
-        left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))  # as of `follow_number`
-        farthest = 0.0
-        for name in names:
-            goal = point.goal.get(name, 0.0)
-            ahead = first[name] - goal
-            behind = ((second[name] - goal) + ahead * z) * left
-            ahead *= left
-            first[name] = goal + ahead
-            second[name] = goal + behind
-            farthest = max(farthest, abs(ahead), abs(behind))
+    goal = point.goal
+    first = point.first
+    second = point.second
+    for step in (dt,) if dt <= LONGEST_STEP else steps_of(dt):  # nearly always one
+        first, second, farthest = _step(goal, first, second, step)
     if farthest < NEAR:
-        return with_fields(point, first=point.goal, second=point.goal)
-    return with_fields(point, first=_seen(first), second=_seen(second))
+        return with_fields(point, first=goal, second=goal)
+    return with_fields(point, first=first, second=second)
+
+
+def _step(goal: Weights, first: Weights, second: Weights, dt: float) -> tuple[Weights, Weights, float]:
+    """What the first and the second filter give `dt` seconds later, and how far from the goal any of it is: each weight
+    as of `follow_number`. goal, first, second: as of `PadPoint`."""
+    z = _RATE * dt
+    left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
+    later_first: dict[str, float] = {}
+    later_second: dict[str, float] = {}
+    farthest = 0.0
+    for name in {**goal, **second, **first}:
+        to = goal.get(name, 0.0)
+        ahead = first.get(name, 0.0) - to
+        behind = ((second.get(name, 0.0) - to) + ahead * z) * left
+        ahead *= left
+        if to + ahead > NOTHING:
+            later_first[name] = to + ahead
+        if to + behind > NOTHING:
+            later_second[name] = to + behind
+        if not -farthest <= ahead <= farthest:
+            farthest = abs(ahead)
+        if not -farthest <= behind <= farthest:
+            farthest = abs(behind)
+    return later_first, later_second, farthest
 
 
 def point_rates(point: PadPoint) -> dict[str, float]:
@@ -72,7 +85,3 @@ def point_rates(point: PadPoint) -> dict[str, float]:
     if point.second is point.goal:
         return {}
     return combine(((_RATE, point.first), (-_RATE, point.second)))
-
-
-def _seen(mix: Mapping[str, float]) -> dict[str, float]:
-    return {name: weight for name, weight in mix.items() if weight > NOTHING}

@@ -23,13 +23,13 @@ def soft_bands(places: Values, x: float, y: float, z: float, out: Values) -> Non
     count = places.shape[0]
     total = 0.0
     for i in range(count):
-        by_x, by_y, by_z = x - places[i, 0], y - places[i, 1], z - places[i, 2]
+        ax, ay, az = x - places[i, 0], y - places[i, 1], z - places[i, 2]
         against = 1.0
         for j in range(count):
             if j == i:
                 continue
-            to_x, to_y, to_z = places[j, 0] - places[i, 0], places[j, 1] - places[i, 1], places[j, 2] - places[i, 2]
-            along = (by_x * to_x + by_y * to_y + by_z * to_z) / (to_x * to_x + to_y * to_y + to_z * to_z)
+            bx, by, bz = places[j, 0] - places[i, 0], places[j, 1] - places[i, 1], places[j, 2] - places[i, 2]
+            along = (ax * bx + ay * by + az * bz) / (bx * bx + by * by + bz * bz)
             if along >= 1.0:
                 against = 0.0
                 break

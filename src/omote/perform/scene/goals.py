@@ -2,7 +2,8 @@
 
 A part is `kaori/face`, or `*/light` of the scene. A goal of it is a mix (`{"joy": 1.0}`) or numbers that it stands at
 (`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`); of `look` what eyes look at (`look_goals.py`), of `clip` which and how it
-plays (`clip_goals.py`). Where a pad plays a mix, a goal is the place of its point (`pad_goals.py`).
+plays (`clip_goals.py`). Where a pad plays a mix, a goal is the place of its point (`pad_goals.py`); of `macros`
+it is where some of them are.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, LAYERS, check_layer
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
+from omote.perform.mappings.mapping import MACRO_LIMITS, check_macro_name
 from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.clip_goals import clip_of_goal, goal_of_clip
@@ -22,9 +24,13 @@ from omote.perform.scene.movement import Ranges
 from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal, point_of_goal
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.perform.snapshot import ROUNDING
+from omote.perform.springs.cast_springs import SPRING_NAMES
+from omote.perform.springs.springs import AMOUNT_LIMIT
 
 Part = str
 Goal = Mapping[str, float]
+NOTHING_MOVED: Goal = {}
+"""The goal of macros of which a hand has moved none."""
 WITH_FACE: Goal = {}
 """The goal of a region of the expression that goes with the whole face, and of a clip where none plays."""
 
@@ -39,15 +45,19 @@ LAYER_LIMITS: Ranges = dict.fromkeys(LAYER_PARTS, (0.0, 1.0))
 LAYER = "layer:"
 """What the part of a layer begins with: `layer:tracker` is how much of it shows, by region."""
 MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), **dict.fromkeys(DETAILS, (0.0, DETAIL_LIMIT))}
+SPRING_LIMITS: Ranges = dict.fromkeys(SPRING_NAMES, (0.0, AMOUNT_LIMIT))
 CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **TURN_LIMITS,
     "place": PLACE_LIMITS,
     "presence": PRESENCE_LIMITS,
     "motion": MOTION_LIMITS,
+    "springs": SPRING_LIMITS,
     **{f"{LAYER}{layer}": LAYER_LIMITS for layer in LAYERS},
 }
 """The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
-CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look", "clip")
+MACROS = "macros"
+"""The part whose goal is where macros are, by name; those that it does not name stay."""
+CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look", "clip", MACROS)
 PASSING = ("clip",)
 """Parts that come to an end by themselves: nothing of them is left standing, so cues do not track them."""
 SCENE_PARTS = ("light", "framing", "black")
@@ -75,6 +85,11 @@ def expression_of(part: Part) -> Part | None:
     return f"{character}/expression" if name in PLAY_REGIONS else None
 
 
+def is_of_macros(part: Part) -> bool:
+    """Whether the goal of a part is where macros are."""
+    return part.rpartition("/")[2] == MACROS
+
+
 def passes(part: Part) -> bool:
     """Whether what is called of a part is over by itself."""
     return part.rpartition("/")[2] in PASSING
@@ -90,13 +105,14 @@ def ranges_of(part: Part) -> Ranges | None:
 
 def is_setting(name: str) -> bool:
     """Whether a part of a character (by its name there) is set at once, and followed in its own time."""
-    return name in ("motion", "look") or name.startswith(LAYER)
+    return name in ("motion", "look", "springs") or name.startswith(LAYER)
 
 
 def takes_one_number(part: Part) -> bool:
-    """Whether one number says all of a part: it has no other, or all of them are of one kind, as of a layer."""
+    """Whether one number says all of a part: it has no other, or all of them are of one kind, as of a layer or of
+    springs."""
     ranges = ranges_of(part)
-    return ranges is not None and (len(ranges) == 1 or ranges is LAYER_LIMITS)
+    return ranges is not None and (len(ranges) == 1 or ranges is LAYER_LIMITS or ranges is SPRING_LIMITS)
 
 
 def first_goal(part: Part) -> Goal | None:
@@ -104,8 +120,12 @@ def first_goal(part: Part) -> Goal | None:
     name = split_part(part)[1]
     if expression_of(part) or passes(part):
         return WITH_FACE
+    if name == MACROS:
+        return NOTHING_MOVED
     if name == "look":
         return AHEAD
+    if name == "springs":
+        return dict.fromkeys(SPRING_LIMITS, 1.0)
     if name.startswith(LAYER):
         influence = DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence
         return {str(region): value for region, value in influence.items()}
@@ -120,14 +140,10 @@ def check_goal(part: Part, goal: Goal) -> Goal:
     ranges = ranges_of(part)
     if part.endswith("/look"):
         return goal_of_target(target_of_goal(dict(goal)))
+    if is_of_macros(part):
+        return {check_macro_name(name): check_within(goal[name], *MACRO_LIMITS, f"{name} of {part}") for name in goal}
     if ranges is not None:
-        if goal.keys() != ranges.keys():
-            missing = [f"{name} = 0" for name in ranges if name not in goal] if goal.keys() < ranges.keys() else []
-            said = f"; add {', '.join(missing)} for what stays at 0" if missing else ""
-            raise ValueError(
-                f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}{said}"
-            )
-        return {name: check_within(goal[name], *ranges[name], _number_of(part, name)) for name in ranges}
+        return _check_numbers(part, goal, ranges)
     if not goal and (expression_of(part) or passes(part)):
         return WITH_FACE
     if passes(part):
@@ -138,6 +154,14 @@ def check_goal(part: Part, goal: Goal) -> Goal:
     if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
         raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")
     return mix
+
+
+def _check_numbers(part: Part, goal: Goal, ranges: Ranges) -> Goal:
+    if goal.keys() != ranges.keys():
+        missing = [f"{name} = 0" for name in ranges if name not in goal] if goal.keys() < ranges.keys() else []
+        said = f"; add {', '.join(missing)} for what stays at 0" if missing else ""
+        raise ValueError(f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}{said}")
+    return {name: check_within(goal[name], *ranges[name], _number_of(part, name)) for name in ranges}
 
 
 def _number_of(part: Part, name: str) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from omote.perform.frame import Gaze, Head
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.mappings.mapping import MACRO_LIMITS
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE, PadPlace
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, TURN_LIMITS, Goal, Part, check_goal
@@ -16,6 +17,10 @@ MOST_MEMORIES = 32
 LONGEST_MEMORY_NAME = 40
 MOST_PARTS = MOST_CHARACTERS * len(CHARACTER_PARTS) + len(SCENE_PARTS)
 CHANNELS = "channels"
+MACRO_WAY = "macro:"
+"""What the way of a macro is called by, before its name."""
+VALUE = "value"
+"""The one number of it."""
 PAD_WAY = "pad:"
 """What the way of a pad's point is called by, before the pad's name."""
 CHANNEL_LIMITS = (CHANNEL_LOWEST, CHANNEL_HIGHEST)
@@ -51,8 +56,8 @@ NO_MEMORIES = Memories()
 
 @dataclass(frozen=True)
 class Turning:
-    """Head, gaze and points of pads on their way to where a memory or a cue has them, channels to where preview had
-    them, begun after so many panics; a hand that moves one ends its way."""
+    """Head, gaze, macros and points of pads on their way to where a memory or a cue has them, channels to where preview
+    had them, begun after so many panics; a hand that moves one ends its way."""
 
     ways: Mapping[str, Movement]
     panics: int
@@ -105,15 +110,19 @@ def check_memory_name(name: object) -> str:
 
 
 def limits_of_way(part: str, way: Movement) -> Ranges:
-    """The range of each number of a way. part: head, gaze, channels or a pad's; way: its numbers."""
+    """The range of each number of a way. part: head, gaze, channels, a macro's or a pad's; way: its numbers."""
+    if part.startswith(MACRO_WAY):
+        return dict.fromkeys(way.goal, MACRO_LIMITS)
     if part.startswith(PAD_WAY):
         return dict.fromkeys(way.goal, PLACE_RANGE)
     return TURN_LIMITS.get(part) or dict.fromkeys(way.goal, CHANNEL_LIMITS)
 
 
-def turn_at(part: str, way: Movement) -> Head | Gaze | dict[str, float] | PadPlace:
-    """Where a part is on its way. part: head, gaze, channels or a pad's; way: its numbers."""
+def turn_at(part: str, way: Movement) -> Head | Gaze | dict[str, float] | PadPlace | float:
+    """Where a part is on its way. part: head, gaze, channels, a macro's or a pad's; way: its numbers."""
     at = values(way, limits_of_way(part, way))
+    if part.startswith(MACRO_WAY):
+        return at[VALUE]
     if part.startswith(PAD_WAY):
         return tuple(at[axis] for axis in AXES if axis in at)
     if part == CHANNELS:
@@ -136,7 +145,7 @@ def check_turning(turning: Turning | None) -> None:
     """Rejects a way of head, gaze and channels that none can be."""
     if turning is not None:
         for part, way in turning.ways.items():
-            if not part.startswith(PAD_WAY):
+            if not part.startswith((PAD_WAY, MACRO_WAY)):
                 check_known(part, (*TURN_LIMITS, CHANNELS), "part that turns")
             check_movement(way, limits_of_way(part, way), f"the way of the {part}:")
 

@@ -722,6 +722,8 @@ class Scene(ScenePads):
         self._black = movement.proceed(self._black, dt)
         self._standings = {name: standing_after(at, dt) for name, at in self._standings.items()}
         self._find_sights()
+        for name, character in self._characters.items():
+            character.stands = self._shown_at(name)[0]
         frames = {name: character.advance(dt) for name, character in self._characters.items()}
         self._let_go()
         light = axis.weights(self._light)

@@ -23,6 +23,8 @@ from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSetti
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
 from omote.perform.limits import check_known
+from omote.perform.mappings.macros import move_macro
+from omote.perform.mappings.mapping import MACRO_LIMITS
 from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE, Pad, PadPlace
 from omote.perform.pads.pad_point import TAKE_UP_SECONDS, PadPoint
@@ -32,19 +34,24 @@ from omote.perform.scene import movement
 from omote.perform.scene.clip_goals import call_of_run, goal_of_clip
 from omote.perform.scene.goals import (
     LAYER,
+    MACROS,
     MOTION_LIMITS,
     TURN_LIMITS,
     WITH_FACE,
     Goal,
     check_names,
     expression_of,
+    is_of_macros,
     is_setting,
 )
 from omote.perform.scene.look_goals import goal_of_target, target_of_goal
-from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, PAD_WAY, Turning, turn_at
+from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, MACRO_WAY, PAD_WAY, VALUE, Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
 from omote.perform.scene.pad_goals import check_point_fits, goal_of_point, is_pad_goal, point_of_goal
+from omote.perform.scene.scene_frame import Place
 from omote.perform.snapshot import Playable, Snapshot
+from omote.perform.springs.cast_springs import SPRING_NAMES
+from omote.perform.springs.springs import Travel, amount_of
 
 
 class CallSceneLight(Protocol):
@@ -62,12 +69,13 @@ class CheckTarget(Protocol):
 
 
 class SceneCharacter(Performer):
-    """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time; turning:
-    head, gaze and channels on their way to where they were called."""
+    """A performer in a scene. sight, stands: what its eyes look at and where it is, which the scene finds before each
+    step of time; turning: head, gaze and channels on their way to where they were called."""
 
     _call_light: CallSceneLight
     _check_target: CheckTarget
     sight: Sight = NOTHING
+    stands: Place = Place()
     turning: Turning | None = None
 
     @classmethod
@@ -133,6 +141,9 @@ class SceneCharacter(Performer):
     def _find_sight(self, target: GazeTarget) -> Sight:
         return NOTHING if target.kind == "ahead" else self.sight
 
+    def _find_travel(self) -> Travel:
+        return Travel(self.stands.x, self.stands.turn)
+
     def goal_of(self, name: str) -> Goal:
         """Where a part goes, or stands: a mix, the point of a pad, or numbers; nothing for a region that goes with the
         whole face.
@@ -154,7 +165,11 @@ class SceneCharacter(Performer):
                 return goal_of_point(on.point.pad, on.point.place)
             return standing_mix(weights(on))
 
-        return self._goal_of(name, showing, lambda part: vars(getattr(self._turned_by_hands(), part)))
+        return self._goal_of(name, showing, self._shown_of)
+
+    def _shown_of(self, part: str) -> Mapping[str, float]:
+        """Where head, gaze or macros are now."""
+        return self._macros_at() if part == MACROS else vars(getattr(self._turned_by_hands(), part))
 
     def check_call(self, part: str, goal: Goal) -> None:
         """Raises ValueError for a name of a goal that the cast has not. part: with the character's name."""
@@ -166,6 +181,8 @@ class SceneCharacter(Performer):
             check_names(goal, self._cast.faces, "face")
         elif part.endswith("/expression") or expression_of(part):
             check_names(goal, self._cast.expressions, "expression")
+        elif is_of_macros(part):
+            check_names(goal, self.mappings, "macro")
         elif part.endswith("/look"):
             target = target_of_goal(dict(goal))
             self._check_target(self, target.kind, target.name)
@@ -181,6 +198,8 @@ class SceneCharacter(Performer):
             self._turn_to(name, goal, seconds, easing, pace)
         elif is_setting(name):
             self._set(name, goal)
+        elif name == MACROS:
+            self._call_macros(goal, seconds, easing, pace)
         else:
             self._call_mix(name, goal, seconds, easing, pace)
 
@@ -208,6 +227,8 @@ class SceneCharacter(Performer):
             return self._setting_of(name)
         if name == "clip":
             return self._clip_goal()
+        if name == MACROS:
+            return dict(turned(name))
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
             return WITH_FACE if own is None or _same_pad(own, now.expression) else dict(mix(own))
@@ -228,6 +249,26 @@ class SceneCharacter(Performer):
             self._set_turns({**ways, key: movement.with_pace(way, pace)}, self._now.panics)
             return
         self._play(**self._moved(pad, place, seconds, easing, pace, along=True))
+
+    def _macros_at(self) -> dict[str, float]:
+        """Where the macros are that hands or cues have moved."""
+        return {name: state.value for name, state in self._now.macros.moved.items()}
+
+    def _put_macro(self, name: str, value: float) -> None:
+        """Moves a macro on its way."""
+        mapping = self.mappings[name]
+        self._now = with_fields(self._now, macros=move_macro(self._now.macros, mapping, value, self._reading))
+
+    def _call_macros(self, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
+        """Brings some macros to where a goal has them, each from where it is, as a cue does."""
+        self._play()
+        ways = {} if self.turning is None else self._ways(self.turning)
+        at = self._macros_at()
+        for name, value in goal.items():
+            before = ways.get(f"{MACRO_WAY}{name}", Movement({VALUE: at.get(name, 0.0)}))
+            way = redirect(before, {VALUE: value}, seconds, {VALUE: MACRO_LIMITS}, easing)
+            ways[f"{MACRO_WAY}{name}"] = movement.with_pace(way, pace)
+        self._set_turns(ways, self._now.panics)
 
     def _plays(self, pad: str) -> bool:
         """Whether a pad plays anything of the character."""
@@ -264,6 +305,9 @@ class SceneCharacter(Performer):
         """Sets what is taken at once, and followed by filters of its own."""
         if name == "motion":
             self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
+        elif name == "springs":
+            for spring, amount in goal.items():
+                self.set_spring(spring, amount)
         elif name == "look":
             at = target_of_goal(dict(goal))
             self.look_at(at.kind, at.name, yaw=at.yaw, pitch=at.pitch, x=at.x, y=at.y, z=at.z)
@@ -274,14 +318,19 @@ class SceneCharacter(Performer):
     def _setting_of(self, name: str) -> Goal:
         if name == "motion":
             return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
+        if name == "springs":
+            return {spring: amount_of(self._now.springs, spring) for spring in SPRING_NAMES}
         if name == "look":
             return goal_of_target(self.motion.target)
         influence = self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence
         return {str(region): value for region, value in influence.items()}
 
     def _way_of(self, part: str) -> Mapping[str, float]:
-        """Where head or gaze go."""
+        """Where head, gaze or macros go."""
         ways = {} if self.turning is None else self._ways(self.turning)
+        if part == MACROS:
+            at = self._macros_at()
+            return {name: ways[way].goal[VALUE] if (way := f"{MACRO_WAY}{name}") in ways else at[name] for name in at}
         return ways[part].goal if part in ways else vars(getattr(self._now, part))
 
     def advance(self, dt: float) -> Frame:
@@ -305,7 +354,9 @@ class SceneCharacter(Performer):
         return {part: way for part, way in turning.ways.items() if self._stands_at(part) == turn_at(part, way)}
 
     def _stands_at(self, part: str) -> object:
-        """Where something is that may be on a way; None for a pad that plays nothing."""
+        """Where something is that may be on a way; None for a pad that plays nothing and a macro that is not moved."""
+        if part.startswith(MACRO_WAY):
+            return self._macros_at().get(part.removeprefix(MACRO_WAY))
         if not part.startswith(PAD_WAY):
             return getattr(self._now, part)
         name = part.removeprefix(PAD_WAY)
@@ -354,9 +405,13 @@ class SceneCharacter(Performer):
 
     def _set_turns(self, ways: Mapping[str, Movement], panics: int) -> None:
         at = {part: turn_at(part, way) for part, way in ways.items()}
-        self._now = with_fields(self._now, **{part: turn for part, turn in at.items() if not isinstance(turn, tuple)})
+        self._now = with_fields(
+            self._now, **{part: turn for part, turn in at.items() if not isinstance(turn, tuple | float)}
+        )
         for part, place in at.items():
-            if isinstance(place, tuple):
+            if isinstance(place, float):
+                self._put_macro(part.removeprefix(MACRO_WAY), place)
+            elif isinstance(place, tuple):
                 pad = self._pads[part.removeprefix(PAD_WAY)]
                 self._now = with_fields(self._now, **self._moved(pad, place, TAKE_UP_SECONDS))
         on = {part: way for part, way in ways.items() if way.way is not None}

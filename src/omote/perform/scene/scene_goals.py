@@ -50,7 +50,8 @@ class SceneGoals(SceneClips):
         ----------
         part : str
             Of a character, `kaori/face` (face, expression, brows, eyes, mouth, rest, head, gaze, place, presence,
-            motion, look, clip, layer:tracker and the other layers), or of the scene, `*/light` (light, framing, black).
+            motion, look, clip, macros, layer:tracker and the other layers), or of the scene, `*/light` (light, framing,
+            black).
 
         Returns
         -------

@@ -11,6 +11,7 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import NO_TARGET, MotionSettings
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LayerName, LayerSetting
 from omote.perform.limits import check_known
+from omote.perform.mappings.macros import follow_change
 from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.goals import (
@@ -37,8 +38,11 @@ TAKEN_PARTS = (*(part for part in CHARACTER_PARTS if part not in PASSING), *SETT
 
 def shared_of(snapshot: SceneSnapshot) -> tuple[object, ...]:
     """What two scenes of one show have in common, to be compared: who is there, what people call them and who leaves;
-    points, memories and the stages that have a camera."""
-    standings = tuple((name, each.standing.label, each.standing.leaves) for name, each in snapshot.characters.items())
+    mappings; points, memories and the stages that have a camera."""
+    standings = tuple(
+        (name, each.standing.label, each.standing.leaves, each.performer.mappings)
+        for name, each in snapshot.characters.items()
+    )
     return standings, snapshot.gaze_points, snapshot.memories, tuple(snapshot.cameras)
 
 
@@ -72,7 +76,10 @@ def _following(own: CharacterSnapshot | None, first: SceneSnapshot, name: str, t
     target = _motion_of(own).target
     if motion is not None and target.kind == "gaze_point" and target.name not in first.gaze_points:
         motion = replace(motion, settings=replace(motion.settings, target=NO_TARGET))
-    return replace(own, standing=standing, performer=replace(own.performer, motion=motion))
+    mappings = there.performer.mappings
+    macros = follow_change(own.performer.macros, own.performer.mappings.kept, mappings.kept)
+    performer = replace(own.performer, motion=motion, mappings=mappings, macros=macros)
+    return replace(own, standing=standing, performer=performer)
 
 
 def differing_parts(wanted: Scene, shown: Scene, parts: Iterable[str] = ()) -> list[Part]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
@@ -18,8 +17,11 @@ from omote.model.cast import Cast
 from omote.perform.clips.clip import Clip
 from omote.perform.frame import Frame
 from omote.perform.limits import check_known
-from omote.perform.performer import Performer
 from omote.server.headless.picture_renderer import Renderer
+from omote.show.objects.speech import StoredSound
+from omote.show.speech.named_sounds import NamedSounds, read_sounds
+from omote.showfile.inspection import Inspection
+from omote.stage_data.clip_poses import ClipPoses, count_frames
 from omote.stage_data.picture_sidecar import hash_picture
 
 FILMS = {
@@ -31,15 +33,15 @@ FILMS = {
 FILM_SOUNDS = {".mov": ("-c:a", "pcm_s16le"), ".webm": ("-c:a", "libopus", "-b:a", "160k")}
 """What ffmpeg is told of sounds: without losses as the pictures are, where the container has that."""
 SIDECAR = "frames.json"
-MOST_FRAMES = 20_000
 
 
 class ClipPictures(msgspec.Struct, frozen=True, kw_only=True):
     """What lies beside the pictures of a clip: what they were made from, and of each, by its file, its time and hash.
 
-    omote: the version; clip, face: by name; motion: the SHA-256 of the clip as the show file has it; cast: the digest
-    of the faces; rate: frames of a second; seconds: of the whole; size: pixels; quality: of the stage; frames: seconds
-    from the clip's start; pictures: SHA-256, none until all are drawn.
+    omote: the version; clip, face: by name; motion: the SHA-256 of the clip as the show file has it ("" as `clip`: it
+    is none of a show file); cast: the digest of the faces; rate: frames of a second; seconds: of the whole; size:
+    pixels; quality: of the stage; frames: seconds from the first; pictures: SHA-256, none until all are drawn; row: of
+    a table of stimuli, what was asked for by its headings; film: the SHA-256 of what was made of the pictures.
     """
 
     omote: str
@@ -53,6 +55,8 @@ class ClipPictures(msgspec.Struct, frozen=True, kw_only=True):
     quality: str
     frames: dict[str, float]
     pictures: dict[str, str] = msgspec.field(default_factory=dict)
+    row: dict[str, str] = msgspec.field(default_factory=dict)
+    film: str = ""
 
 
 @dataclass(frozen=True)
@@ -69,23 +73,11 @@ def play_frames(cast: Cast, clip: Clip, *, face: str, rate: float) -> Iterator[t
 
     cast: with the face; clip: which is not begun again at its end; face: by name; rate: frames of a second.
     """
-    performer = Performer(cast)
-    performer.call_face(check_known(face, cast.faces, "face"), seconds=0.0)
-    whole = replace(clip, blend_out=0.0, loop=False)
+    faces = {check_known(face, cast.faces, "face"): 1.0}
+    poses = ClipPoses(cast, {"": clip})
     for number in range(count_frames(clip, rate)):
         now = number / rate
-        performer.stop_clip(seconds=0.0)  # each begins at its own time, so that no sum of steps is off
-        performer.advance(0.0)
-        performer.play_clip(whole, seconds=0.0, start=now * clip.speed)
-        yield now, performer.advance(0.0)
-
-
-def count_frames(clip: Clip, rate: float) -> int:
-    """How many frames a clip has before its end; ValueError for too many. rate: of a second."""
-    count = math.ceil(clip.seconds / clip.speed * rate - 1e-6)
-    if count > MOST_FRAMES:
-        raise ValueError(f"the clip has {count} frames at {rate:g} a second; expected at most {MOST_FRAMES}")
-    return count
+        yield now, replace(poses.frame("", now * clip.speed), faces=faces)
 
 
 def draw_clip(
@@ -125,7 +117,7 @@ def draw_clip(
                     hashes[file] = hash_picture((folder / file).read_bytes())
                     tell(len(hashes), count)
     drawn = msgspec.structs.replace(wanted, pictures={file: hashes[file] for file in wanted.frames})
-    write_sidecar(folder, drawn)
+    write_sidecar(folder / SIDECAR, drawn)
     return drawn
 
 
@@ -139,7 +131,7 @@ def begin_pictures(folder: Path, wanted: ClipPictures) -> dict[str, str]:
     require_parent(folder)
     if not folder.is_dir() or not any(folder.iterdir()):
         folder.mkdir(exist_ok=True)
-        write_sidecar(folder, wanted)
+        write_sidecar(folder / SIDECAR, wanted)
         return {}
     try:
         begun = msgspec.json.decode((folder / SIDECAR).read_bytes(), type=ClipPictures)
@@ -148,7 +140,7 @@ def begin_pictures(folder: Path, wanted: ClipPictures) -> dict[str, str]:
     for what in wanted.__struct_fields__:
         there = getattr(begun, what)
         asked = getattr(wanted, what)
-        if what != "pictures" and there != asked:
+        if what not in ("pictures", "film") and there != asked:
             raise FileExistsError(
                 f"the folder {folder} has pictures of another request ({what}: {there!s:.40}, not {asked!s:.40}); name "
                 "another, or empty it"
@@ -158,25 +150,26 @@ def begin_pictures(folder: Path, wanted: ClipPictures) -> dict[str, str]:
     return {file: value for file, value in hashes.items() if begun.pictures.get(file, value) == value}
 
 
-def write_sidecar(folder: Path, pictures: ClipPictures) -> None:
-    """Writes what lies beside pictures into their folder."""
-    write_whole(folder / SIDECAR, msgspec.json.format(msgspec.json.encode(pictures), indent=2))
+def write_sidecar(path: Path, pictures: ClipPictures) -> None:
+    """Writes what lies beside pictures. path: of the sidecar."""
+    write_whole(path, msgspec.json.format(msgspec.json.encode(pictures), indent=2))
 
 
 def find_ffmpeg() -> str:
     """The path of ffmpeg; FileNotFoundError that says what to do where it is not there."""
     path = shutil.which("ffmpeg")
     if path is None:
-        raise FileNotFoundError("films are made by ffmpeg, which is not installed; install it, or name a folder")
+        raise FileNotFoundError("films are made by ffmpeg, which is not installed; install it, or take the pictures")
     return path
 
 
 def film_command(
-    ffmpeg: str, folder: Path, film: Path, rate: float, sound: Sequence[str] = (), heard: Sequence[str] = ()
+    ffmpeg: str, pictures: Path, film: Path, rate: float, sound: Sequence[str] = (), heard: Sequence[str] = ()
 ) -> list[str]:
-    """The command that makes a film of a folder of pictures. ffmpeg: its path; film: what is written; rate: frames of a
-    second; sound, heard: what it is told of a sound that comes in, and of what is written of it (`sound_options`)."""
-    begin = [ffmpeg, "-y", "-v", "error", "-framerate", f"{rate:.9g}", "-i", str(folder / "%05d.png")]
+    """The command that makes a film of pictures. ffmpeg: its path; pictures: `folder/%05d.png`; film: what is written;
+    rate: frames of a second; sound, heard: what it is told of a sound that comes in, and of what is written of it
+    (`sound_options`)."""
+    begin = [ffmpeg, "-y", "-v", "error", "-framerate", f"{rate:.9g}", "-i", str(pictures)]
     return [*begin, *sound, *FILMS[film.suffix.lower()], *heard, str(film)]
 
 
@@ -193,23 +186,54 @@ def sound_options(sound: FilmSound, file: Path, kind: str, seconds: float) -> tu
 def film_clip(film: Path, draw: Callable[[Path], ClipPictures], sound: FilmSound | None = None) -> ClipPictures:
     """Makes a film of a clip, with the sidecar of its frames beside it (`NAME.mov.frames.json`).
 
-    film: what is written; draw: draws the pictures into a folder; sound: what is heard. RuntimeError
-    with what ffmpeg says where it fails.
+    film: what is written; draw: draws the pictures into a folder; sound: what is heard; errors as `film_pictures`.
     """
-    ffmpeg = find_ffmpeg()
+    find_ffmpeg()
     require_parent(film)
     with TemporaryDirectory(dir=film.parent) as made:
         drawn = draw(Path(made))
+        made_of = film_pictures(film, Path(made) / "%05d.png", drawn.rate, len(drawn.frames), sound)
+    drawn = msgspec.structs.replace(drawn, film=made_of)
+    write_sidecar(film.with_name(f"{film.name}.{SIDECAR}"), drawn)
+    return drawn
+
+
+def film_pictures(film: Path, pictures: Path, rate: float, count: int, sound: FilmSound | None = None) -> str:
+    """Makes a film of pictures; returns its SHA-256. RuntimeError with what ffmpeg says where it fails.
+
+    film: what is written; pictures: `folder/%05d.png`; rate: frames of a second; count: of the pictures; sound: what is
+    heard.
+    """
+    with TemporaryDirectory(dir=film.parent) as made:
         kind = film.suffix.lower()
         whole = Path(made) / f"film{kind}"
         options: tuple[list[str], list[str]] = ([], [])
         if sound is not None:
             (Path(made) / "sound").write_bytes(sound.data)
-            options = sound_options(sound, Path(made) / "sound", kind, len(drawn.frames) / drawn.rate)
-        command = film_command(ffmpeg, Path(made), whole, drawn.rate, *options)
+            options = sound_options(sound, Path(made) / "sound", kind, count / rate)
+        command = film_command(find_ffmpeg(), pictures, whole, rate, *options)
         done = subprocess.run(command, capture_output=True, check=False)
         if done.returncode:
             raise RuntimeError(f"ffmpeg could not write {film}: {done.stderr.decode(errors='replace')[-300:].strip()}")
-        film.with_name(f"{film.name}.{SIDECAR}").write_bytes((Path(made) / SIDECAR).read_bytes())
         whole.replace(film)
-    return drawn
+    return hash_picture(film.read_bytes())
+
+
+def find_film_sound(inspection: Inspection, clip: Clip, say: Callable[[str], None]) -> FilmSound | None:
+    """What is heard in a film of a clip, None for nothing; where its sound is missing, or has another speed, that is
+    said. inspection: of its show file; say: tells the person."""
+    if not clip.sound:
+        return None
+    sounds, _ = read_sounds(inspection.stored.documents.get(StoredSound.kind, {}), inspection.contents)
+    named = NamedSounds()
+    named.load(sounds)
+    key = named.called().get(clip.sound, clip.sound)
+    found = next((sound for sound in sounds.values() if sound.sound == key), None)
+    if found is None:
+        say(f"the show file has no sound {clip.sound}, so the film has none.")
+        return None
+    if clip.speed != 1.0:
+        say(f"the clip plays at the speed {clip.speed:g}, its sound at 1 alone: the film has none.")
+        return None
+    at = clip.sound_at - clip.start
+    return FilmSound(inspection.contents[found.content], at) if -at < found.seconds else None

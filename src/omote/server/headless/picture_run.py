@@ -6,9 +6,10 @@ import asyncio
 import hashlib
 import time
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Container, Iterator, Mapping, Sequence
 from contextlib import AsyncExitStack, closing
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -22,13 +23,17 @@ from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.file_names import KINDS, picture_kind
 from omote.interchange.formats.png import read_png
+from omote.perform.clips.clip import Clip
 from omote.server.headless.chromium import find_chromium, open_chromium
+from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_renderer import PictureBrowser, PicturePage, open_picture_page, serve_pages
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
+from omote.show.objects.clips import StoredClip, read_clips
 from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection
+from omote.stage_data.clip_poses import ClipPoses
 from omote.stage_data.full_cast import own_items
 from omote.stage_data.morph_distance import SHARE_PLACES, find_even_steps, measure_difference, measure_distance
 from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
@@ -132,14 +137,19 @@ class PictureStudio:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
         self._report = report
-        self._show = show
+        self.show = show
         own: tuple[Own, ...] = ()
+        clips: Mapping[str, Clip] = {}
         if show is not None:
             own = own_items(show.stored)
             self.documents.contents = show.contents
+            clips, lost = read_clips(show.stored.documents.get(StoredClip.kind, {}))
+            for sentence in lost:
+                self._say(sentence)
         base = self.documents.playing
         contents = self.documents.contents
         self.cast: PlayingCast = gather_cast(self.documents.cast, own, contents, report or warnings.warn, before=base)
+        self.clips = ClipPoses(self.cast, clips)
         self._made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
@@ -185,7 +195,7 @@ class PictureStudio:
         Drawn with the table's first expression and turn: its other rows have the same faces.
         """
         self._say(f"{morph.first} to {morph.last}: pictures are drawn to find steps that are even in CIELAB")
-        fresh = None if self._show is None else PictureStudio(self._show)
+        fresh = None if self.show is None else PictureStudio(self.show)
         playing = None if fresh is None else (fresh.documents, fresh.cast)
         with closing(PictureBrowser(grid.setting, playing=playing)) as browser:
             probe = MorphProbe(self.cast, grid, morph, browser)
@@ -219,7 +229,7 @@ class PictureStudio:
         request: what it shows, spelled out; path: of the file.
         """
         setting = request.setting
-        sheet = lay_out(request, self.cast).on_paper(setting, picture_kind(path))
+        sheet = lay_out(request, self.cast, self.clips).on_paper(setting, picture_kind(path))
         named = move_request(request, Path(), path.parent)
         return PictureFile(path, sheet, describe(named, sheet, setting, self._made_by))
 
@@ -303,13 +313,22 @@ def draw_run(
     draw_runs(studio, [run], report, jobs=jobs)
 
 
+Lose = Callable[[PictureFile, Exception], Container[Path]]
+
+
 def draw_runs(
-    studio: PictureStudio, runs: Sequence[PictureRun], report: Callable[[PictureProgress], None], *, jobs: int = 1
+    studio: PictureStudio,
+    runs: Sequence[PictureRun],
+    report: Callable[[PictureProgress], None],
+    *,
+    jobs: int = 1,
+    lose: Lose | None = None,
 ) -> None:
     """Draws several runs, each in its own setting, one after another in the same browsers; errors as `draw_run`.
 
     studio: the cast and the pages; runs: what is wanted; report: told of each picture, counted through all runs; jobs:
-    browsers at once.
+    browsers at once; lose: told of a picture that is not drawn and why, gives the paths of those that make no sense
+    without it; None: the first ends all.
     """
     browser = find_chromium()
     for run in runs:
@@ -317,14 +336,19 @@ def draw_runs(
             pictures_folder(run.table.path).mkdir(exist_ok=True)
     waiting = max((len(run.waiting) for run in runs), default=0)
     browsers = min(jobs, waiting) or 1  # one composes the table where all its pictures are there
-    asyncio.run(_Drawing(studio, runs, report).draw(browser, browsers))
+    asyncio.run(_Drawing(studio, runs, report, lose).draw(browser, browsers))
 
 
 class _Drawing:
     def __init__(
-        self, studio: PictureStudio, runs: Sequence[PictureRun], report: Callable[[PictureProgress], None]
+        self,
+        studio: PictureStudio,
+        runs: Sequence[PictureRun],
+        report: Callable[[PictureProgress], None],
+        lose: Lose | None,
     ) -> None:
         self._studio = studio
+        self._lose = lose
         self._runs = runs
         self._report = report
         self._left: list[PictureFile] = []
@@ -338,22 +362,34 @@ class _Drawing:
         async with serve_pages(documents, self._studio.pages) as address, AsyncExitStack() as open_browsers:
             tools = [await open_browsers.enter_async_context(open_chromium(browser)) for _ in range(jobs)]
             for run in self._runs:
-                pages = await asyncio.gather(*(open_picture_page(tool, address, run.setting) for tool in tools))
+                openings = [partial(open_picture_page, tool, address, run.setting) for tool in tools]
                 self._left = list(run.waiting)
-                await asyncio.gather(*(self._work(page) for page in pages))
+                pages = await asyncio.gather(*(self._work(opening) for opening in openings))
                 if run.table is not None:
                     await self._compose(pages[0], run, run.table)
                 await asyncio.gather(*(page.close() for page in pages))
 
-    async def _work(self, page: PicturePage) -> None:
-        """Draws one picture after the other, as long as there are any."""
+    async def _work(self, opening: Callable[[], Awaitable[PicturePage]]) -> PicturePage:
+        """Draws one picture after the other, as long as there are any; returns its page. opening: opens one."""
+        page = await opening()
         while self._left:
             file = self._left.pop(0)
             began = time.monotonic()
             following: Any = self._left[0].sheet.poses[0][0] if self._left else None
-            write_picture(file, *await page.draw(file.sheet, following))
+            try:
+                drawn = await page.draw(file.sheet, following)
+            except (ValueError, BrowserError) as error:
+                if self._lose is None:
+                    raise
+                gone = self._lose(file, error)
+                self._left = [each for each in self._left if each.path not in gone]
+                await page.close()
+                page = await opening()  # it may have crashed; a browser that ended opens none, and ends all
+                continue
+            write_picture(file, *drawn)
             self._done += 1
             self._report(PictureProgress(file.path, time.monotonic() - began, self._done, self._total))
+        return page
 
     async def _compose(self, page: PicturePage, run: PictureRun, table: PictureFile) -> None:
         files = iter(run.pictures)

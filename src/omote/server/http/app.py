@@ -151,17 +151,7 @@ class ShowServer:
         """Adds the tree of OSC's addresses, for surfaces; port: where OSC is heard; allowed: the hosts that may play by
         it, and so may read the tree without a token."""
         self._surface_allowed = allowed
-
-        def playing() -> tuple[Playable, State | None, tuple[str, ...], dict[str, int]]:
-            scene = self.session.scene
-            return (
-                self.session.cast,
-                self._state,
-                tuple(scene),
-                {name: pad.dimensions for name, pad in scene.pads.items()},
-            )
-
-        self.oscquery = OscQuery(playing, port)
+        self.oscquery = OscQuery(lambda: (self._state, *self._playable()), port)
 
     def enable_sender(self, path: str, respond: Respond, links: Links) -> None:
         """Adds links by which trackers, cameras or microphones send. path: their address; respond: answers there;
@@ -227,7 +217,7 @@ class ShowServer:
         self.sounds.add_routes(application)
         self.voices = Voices(self.sounds, lambda: self._run_job)
         self.voices.add_routes(application)
-        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
+        layout = TouchoscLayout(self._playable, self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
             application.router.add_get(path, respond)
@@ -235,6 +225,11 @@ class ShowServer:
             add_routes(application)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
+
+    def _playable(self) -> tuple[Playable, tuple[str, ...], dict[str, int]]:
+        """The cast, the names of the characters, and the dimensions of pads by their names."""
+        scene = self.session.scene
+        return self.session.cast, tuple(scene), {name: pad.dimensions for name, pad in scene.pads.items()}
 
     async def _build_layout(self, wanted: BuildTouchoscLayout) -> bytes:
         """Builds a layout in a process of its own; in a thread where no show file and so no such process is there."""

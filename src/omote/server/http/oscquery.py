@@ -15,7 +15,7 @@ from omote.show.objects.state import State
 from omote.show.osc import ROOT
 
 Page = Callable[[web.Request], Awaitable[web.Response]]
-Playing = Callable[[], tuple[Playable, State | None, tuple[str, ...], Mapping[str, int]]]
+Playing = Callable[[], tuple[State | None, Playable, tuple[str, ...], Mapping[str, int]]]
 NAME = "Omote"
 PEOPLE = "curl/", "wget/", "httpie/"
 """How programs begin their name with which people look what there is."""
@@ -26,7 +26,7 @@ TOLD_PERSON = (
 
 
 class OscQuery:
-    """The tree over HTTP. on_air: gives the cast, the newest state, the names of the characters and the dimensions of
+    """The tree over HTTP. on_air: gives the newest state, the cast, the names of the characters and the dimensions of
     pads; port: of OSC."""
 
     def __init__(self, on_air: Playing, port: int) -> None:
@@ -58,8 +58,9 @@ class OscQuery:
             return _json(host_info(NAME, self._port))
         if asked and asked not in ATTRIBUTES:
             raise web.HTTPBadRequest(text=f"there is no attribute {asked[:80]}; there are {', '.join(ATTRIBUTES)}.")
-        cast, state, characters, pads = self._on_air()
-        node = find_node(self._tree(cast, characters, pads), request.path)
+        state, cast, characters, pads = self._on_air()
+        macros = {} if state is None else {name: tuple(each.macros) for name, each in state.characters.items()}
+        node = find_node(self._tree(cast, characters, pads, macros), request.path)
         if node is None:
             raise web.HTTPNotFound(text=f"there is no address {request.path[:80]}; /{ROOT} lists them all.")
         node = node if state is None else with_values(node, AddressValues(state))
@@ -67,11 +68,11 @@ class OscQuery:
             return _json(node)
         return _json({asked: node[asked]}) if asked in node else web.Response(status=204)
 
-    def _tree(self, cast: Playable, characters: tuple[str, ...], pads: Mapping[str, int]) -> Node:
-        """The tree without values, made once for a cast, characters and pads."""
+    def _tree(self, cast: Playable, *names: Any) -> Node:
+        """The tree without values, made once for a cast and the names of characters, pads and macros."""
         kept = self._addresses
-        if kept is None or kept[0] is not cast or kept[1] != (characters, pads):
-            kept = self._addresses = cast, (characters, pads), build_addresses(cast, characters, pads)
+        if kept is None or kept[0] is not cast or kept[1] != names:
+            kept = self._addresses = cast, names, build_addresses(cast, *names)
         return kept[2]
 
 

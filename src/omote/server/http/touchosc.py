@@ -12,13 +12,13 @@ from omote.server.workers.file_jobs import BuildTouchoscLayout
 from omote.server.workers.job_server import JobError
 
 TOUCHOSC_PATH = "/touchosc/omote.tosc"
-Played = Callable[[], tuple[Playable, tuple[str, ...]]]
+Played = Callable[[], tuple[Playable, tuple[str, ...], dict[str, int]]]
 Build = Callable[[BuildTouchoscLayout], Coroutine[object, object, bytes]]
 
 
 class TouchoscLayout:
-    """The layout over HTTP. played: gives the cast and the names of the characters; build: does the work, seconds of
-    it for many names, in another process."""
+    """The layout over HTTP. played: gives the cast, the names of the characters and the dimensions of pads; build:
+    does the work, seconds of it for many names, in another process."""
 
     def __init__(self, played: Played, build: Build) -> None:
         self._played = played
@@ -28,8 +28,8 @@ class TouchoscLayout:
     async def respond(self, _: web.Request) -> web.Response:
         """Responds with the file, built once for all who ask while cast and characters are the same; 503 with a
         sentence where it cannot be built."""
-        cast, characters = self._played()
-        wanted = BuildTouchoscLayout(tuple(cast.faces), tuple(cast.expressions), characters)
+        cast, characters, pads = self._played()
+        wanted = BuildTouchoscLayout(tuple(cast.faces), tuple(cast.expressions), characters, pads)
         if self._built is None or self._built[0] != wanted:
             self._built = wanted, asyncio.create_task(self._build(wanted))
         try:

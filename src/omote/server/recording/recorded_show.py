@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from heapq import merge
 
@@ -113,7 +114,9 @@ class RecordedShow:
         behind it, of which the first is there at once; None for all of the span."""
         since = span.first if after is None else max(after, span.first)
         begin = since if after is not None else since - 1e-6
-        for tick in replay(self._entries(self._pieces(span, since)), self.find_cast, self.find_clip, after=begin):
+        pieces = _PiecesAhead(self._reader, self._read, self._pieces(span, since))
+        for tick in replay(pieces, self.find_cast, self.find_clip, after=begin):
+            pieces.read_on()  # not before: somebody waits for the first tick
             if tick.now > span.last:
                 return
             yield tick
@@ -122,7 +125,8 @@ class RecordedShow:
         """Who did what in a span, in its order; what a hand sends again and again is one line. What was noted is as it
         is written now."""
         marks = (LogLine(mark.at, mark.who, tag_of(MarkMoment), mark.name) for mark in self.markers(span))
-        entries = (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece)
+        pieces = _PiecesAhead(self._reader, self._read, self._pieces(span, span.first))
+        entries = (entry for piece in pieces for entry in piece)
         calls = [CueCall(*call) for call in self._file.cue_calls(span.start)]
         return merge(tell_log(entries, calls, span.first, span.last), marks, key=lambda line: line.at)
 
@@ -141,14 +145,6 @@ class RecordedShow:
         before = [place for place, piece in enumerate(pieces) if piece.first <= since]
         return pieces[before[-1] :] if before else pieces
 
-    def _entries(self, pieces: list[Piece]) -> Iterator[list[AnyEntry]]:
-        """The entries of pieces; each is unpacked while the one before is played."""
-        coming = [self._reader.submit(self._read, piece) for piece in pieces[:1]]
-        for number in range(len(pieces)):
-            entries = coming.pop().result()
-            coming += [self._reader.submit(self._read, piece) for piece in pieces[number + 1 : number + 2]]
-            yield entries
-
     def _read(self, piece: Piece) -> list[AnyEntry]:
         try:
             return read_entries(self._file, piece.id)
@@ -157,3 +153,32 @@ class RecordedShow:
             raise ReplayError(f"a minute that Omote {program} recorded cannot be read by this one: {error}") from error
         except (KeyError, ValueError) as error:
             raise ReplayError(f"a minute of the recording cannot be read: {error}") from error
+
+
+class _PiecesAhead:
+    """The entries of pieces, one after the other; the next are unpacked while those before are played, from the moment
+    on at which that is asked for. reader: the thread; read: the entries of a piece."""
+
+    def __init__(
+        self, reader: ThreadPoolExecutor, read: Callable[[Piece], list[AnyEntry]], pieces: Iterable[Piece]
+    ) -> None:
+        self._reader = reader
+        self._read = read
+        self._left = deque(pieces)
+        self._coming: Future[list[AnyEntry]] | None = None
+
+    def __iter__(self) -> Iterator[list[AnyEntry]]:
+        return self
+
+    def __next__(self) -> list[AnyEntry]:
+        self.read_on()
+        if self._coming is None:
+            raise StopIteration
+        entries = self._coming.result()
+        self._coming = None
+        return entries
+
+    def read_on(self) -> None:
+        """Begins to unpack the next piece, if it is not begun and there is one."""
+        if self._coming is None and self._left:
+            self._coming = self._reader.submit(self._read, self._left.popleft())

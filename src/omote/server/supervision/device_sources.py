@@ -23,6 +23,7 @@ from omote.inputs.osc_input import OscInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.page_devices.page_devices import PageDevices
+from omote.inputs.page_devices.setup_commands import SetupCommands
 from omote.inputs.performers.camera_messages import CAMERA_PATH
 from omote.inputs.performers.performer_list import PerformerList
 from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH, TRACKER_PROTOCOLS
@@ -50,9 +51,10 @@ from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.source_report import SourceReport
 from omote.show.objects.bindings import StoredBindings
+from omote.show.objects.hand.setups import StoredSetup
 from omote.show.objects.performers import StoredPerformer
 from omote.show.session import ShowSession
-from omote.showfile.changes import DocumentRemoval, StoredDocument
+from omote.showfile.changes import Change, DocumentRemoval, StoredDocument
 
 Report = Callable[[str], None]
 
@@ -115,6 +117,7 @@ async def start_devices(
     devices = PageDevices(
         opening.session, bindings, commands, LineLog(_wall() - server.clock()),
         lambda: [probe for source in sources for probe in source.probes], switches, options.show_control,
+        _open_setups(opening, commands),
     )  # fmt: skip
     answer = server.links.answer
     started.append(CueSender(opening.session, devices, answer, server.tell_crew))
@@ -190,8 +193,7 @@ def _open_bindings(opening: _Opening) -> tuple[BindingInput, BindingCommands]:
     """The bindings of the show file, with those of the file of the command line before them."""
 
     def keep(document: bytes) -> None:
-        if (kept := opening.work()) is not None:
-            kept.keep_documents([StoredDocument(StoredBindings.kind, StoredBindings.kind, document)], opening.report)
+        _keep(opening, StoredDocument(StoredBindings.kind, StoredBindings.kind, document))
 
     stored = opening.work()
     own, presets, wrong = decode_stored(
@@ -202,6 +204,28 @@ def _open_bindings(opening: _Opening) -> tuple[BindingInput, BindingCommands]:
     bindings = BindingInput(Bindings(), opening.session)
     editable = EditableBindings(own, _fixed_bindings(opening.options.bindings, opening.report))
     return bindings, BindingCommands(editable, bindings.bindings, presets, keep)
+
+
+def _open_setups(opening: _Opening, commands: BindingCommands) -> SetupCommands:
+    """The set-ups of the show file."""
+
+    def keep(name: str, body: bytes | None) -> None:
+        kind = StoredSetup.kind
+        _keep(opening, DocumentRemoval(kind, name) if body is None else StoredDocument(kind, name, body))
+
+    stored = opening.work()
+    setups = SetupCommands(
+        opening.session, commands, {} if stored is None else stored.documents(StoredSetup.kind), keep
+    )
+    for sentence in setups.unreadable:
+        opening.report(f"{sentence}.")
+    return setups
+
+
+def _keep(opening: _Opening, change: Change) -> None:
+    """Keeps a change of documents in the show file, where there is one."""
+    if (kept := opening.work()) is not None:
+        kept.keep_documents([change], opening.report)
 
 
 def _fixed_bindings(path: str, report: Report) -> list[Binding]:

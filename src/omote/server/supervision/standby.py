@@ -23,6 +23,7 @@ from functools import partial
 from pathlib import Path
 
 from omote.model.transfer.fold_repair import warm_repair
+from omote.perform.scene.character_names import FIRST_CHARACTER
 from omote.perform.scene.scene import Scene
 from omote.server.access.access_setup import add_access_options, load_access, read_access_options
 from omote.server.http.cast_documents import CastDocuments
@@ -103,7 +104,10 @@ def warm(documents: CastDocuments) -> None:
         for expression in list(cast.expressions)[:2]:
             compound_asset(cast, face, expression)
     warm_repair()
-    Scene.begun(cast).advance(1.0 / STATE_RATE)
+    scene = Scene.begun(cast)
+    for pad in [*scene.pads][:1]:
+        scene.move_pad(FIRST_CHARACTER, pad)
+    scene.advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
     gc.freeze()  # children share this memory (copy on write) as long as nobody touches it

@@ -70,11 +70,12 @@ class ExportFace(msgspec.Struct, frozen=True, tag=True):
 
 
 class BuildTouchoscLayout(msgspec.Struct, frozen=True, tag=True):
-    """The file of a layout for TouchOSC (`.tosc`), of these names."""
+    """The file of a layout for TouchOSC (`.tosc`), of these names. pads: the dimensions of each."""
 
     faces: tuple[str, ...]
     expressions: tuple[str, ...]
     characters: tuple[str, ...]
+    pads: dict[str, int]
 
 
 class ListVoices(msgspec.Struct, frozen=True, tag=True):
@@ -151,7 +152,7 @@ def _build_layout(wanted: BuildTouchoscLayout) -> bytes:
     from omote.inputs.presets.touchosc_layout import build_touchosc_layout  # a tenth of a second that a start saves
 
     cast = NamedCast(dict.fromkeys(wanted.faces), dict.fromkeys(wanted.expressions))
-    return build_touchosc_layout(cast, wanted.characters)
+    return build_touchosc_layout(cast, wanted.characters, wanted.pads)
 
 
 def _import_file(wanted: ImportFile | TakeScan, follow: Follow) -> Imported:

@@ -18,6 +18,7 @@ from omote.perform.scene.goals import (
     Part,
     expression_of,
     first_goal,
+    is_of_macros,
     ranges_of,
     split_part,
 )
@@ -246,7 +247,7 @@ def _rounded(part: Part, goal: Goal) -> Goal:
     """A goal with the numbers that its part stands at as a text shows them: a hand and a tracker give sixteen
     digits. One at the end of its range, which lies between two such numbers, stays."""
     ranges = ranges_of(part)
-    if is_pad_goal(part, goal):
+    if is_pad_goal(part, goal) or is_of_macros(part):
         return {name: round(value, DECIMALS) for name, value in goal.items()}
     if ranges is None:
         return goal

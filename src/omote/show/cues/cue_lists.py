@@ -12,7 +12,7 @@ from omote.perform.cues.cue import Cue, CueList
 from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
 from omote.perform.cues.cue_names import named_cue, named_cues
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
-from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
+from omote.perform.cues.cue_state import ASSERT, BACK, GAP_SECONDS, CueState, edited
 from omote.perform.limits import check_known
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
@@ -52,14 +52,15 @@ class CuesSnapshot:
 @dataclass(frozen=True)
 class RecordedCueStates:
     """What cue lists are beside their cues. states: how far each list is, by name; last_go: when, seconds, monotonic;
-    pressed: by list, when its last GO came and of whom; ignored: the last GO that was not obeyed; rejected: what of the
-    last cue was not called."""
+    pressed: by list, when somebody pressed last, and who; ignored: the last GO that was not obeyed; rejected: what of
+    the last cue was not called; acts: by list, what was pressed."""
 
     states: Mapping[str, CueState]
     last_go: float
     pressed: Mapping[str, tuple[float, str]]
     ignored: str
     rejected: tuple[str, ...]
+    acts: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -97,6 +98,7 @@ class CueLists:
         self._paused = False
         self._last_go = -math.inf
         self._pressed: dict[str, tuple[float, str]] = {}
+        self._acts: dict[str, str] = {}
         self._ignored = ""
         self._ignored_count = 0
         self._rejected: tuple[str, ...] = ()
@@ -142,7 +144,8 @@ class CueLists:
     def playing(self) -> RecordedCueStates:
         """What the lists are beside their cues, for a recording."""
         states = {name: replace(player.state, calls=(), done=()) for name, player in self._players.items()}
-        return RecordedCueStates(states, self._last_go, dict(self._pressed), self._ignored, self._rejected)
+        pressed = (dict(self._pressed), self._ignored, self._rejected, dict(self._acts))
+        return RecordedCueStates(states, self._last_go, *pressed)
 
     def shown(self) -> RecordedCues:
         """The cues as they are, for a recording."""
@@ -163,6 +166,7 @@ class CueLists:
                 self._players[name].state = state
             self._last_go = playing.last_go
             self._pressed = dict(playing.pressed)
+            self._acts = dict(playing.acts)
             self._ignored = playing.ignored
             self._rejected = playing.rejected
 
@@ -213,13 +217,14 @@ class CueLists:
         if self._paused and wanted is None:
             self.pause(on=False)
             return ()
+        called = wanted or standby
+        if called is None:
+            return self._ignore(who, message.id, "", "no cue stands by, for the list is at its end")
         if wanted is None:
-            if standby is None:
-                return self._ignore(who, message.id, "", "no cue stands by, for the list is at its end")
             player.go()
         else:
             player.go_to(wanted.number)
-        self._note_act(name, who, now)
+        self._note_act(name, who, now, f"GO {called.number}")
         return ()
 
     def go_back(self, message: wire.GoBack, who: str, now: float) -> Sequence[Outgoing]:
@@ -227,19 +232,20 @@ class CueLists:
         name = self._named(message.cue_list)
         if not self._players[name].state.steps:
             raise ValueError("nothing has been called that could be brought back")
-        return self._act(name, message, who, now, self._players[name].go_back)
+        return self._act(name, message, who, now, BACK, self._players[name].go_back)
 
     def go_to(self, message: wire.GoToCue, who: str, now: float) -> Sequence[Outgoing]:
         """Calls a cue out of its order. message, who, now: as of `go`."""
         name = self._named(message.cue_list)
         cue = find_cue(self.book, name, message.cue)
         player = self._players[name]
-        return self._act(name, message, who, now, lambda: player.go_to(cue.number, whole=message.whole))
+        what = f"Go to {cue.number}"
+        return self._act(name, message, who, now, what, lambda: player.go_to(cue.number, whole=message.whole))
 
     def assert_look(self, message: wire.AssertLook, who: str, now: float) -> Sequence[Outgoing]:
         """Calls what the cues have left standing. message, who, now: as of `go`."""
         name = self._named(message.cue_list)
-        return self._act(name, message, who, now, self._players[name].assert_look)
+        return self._act(name, message, who, now, ASSERT, self._players[name].assert_look)
 
     def set_standby(self, message: wire.SetStandby) -> None:
         """Has another cue stand by. message: names it."""
@@ -353,7 +359,7 @@ class CueLists:
                 for one in sorted(state.waiting, key=lambda one: one.at)
             ],
             moving=[
-                wire.CueMotion(self._number(one.cue), one.part, one.until - state.clock)
+                wire.CueMotion(self._number(one.cue), one.part, one.until - state.clock, one.act)
                 for one in sorted(state.moving, key=lambda one: one.until)
                 if one.part.rpartition("/")[0] in (*scene, "*")
             ],
@@ -361,6 +367,7 @@ class CueLists:
             follows_in=0.0 if following is None else following.at - state.clock,
             since=None if pressed is None else max(0.0, now - pressed[0]),
             by="" if pressed is None else pressed[1],
+            pressed=self._acts.get(name, ""),
         )
 
     def _cue_name(self, identity: str | None) -> wire.CueName | None:
@@ -384,12 +391,14 @@ class CueLists:
         wanted = name or self.chosen
         return wanted if new else check_known(wanted, self.book.orders, "list of cues")
 
-    def _act(self, name: str, message: Any, who: str, now: float, act: Callable[[], None]) -> Sequence[Outgoing]:
+    def _act(
+        self, name: str, message: Any, who: str, now: float, what: str, act: Callable[[], None]
+    ) -> Sequence[Outgoing]:  # fmt: skip
         if self._comes_too_soon(now):
             return self._ignore(who, message.id, "", f"another came less than {GAP_SECONDS:g} s before")
         self._paused = False
         act()
-        self._note_act(name, who, now)
+        self._note_act(name, who, now, what)
         return ()
 
     def _comes_too_soon(self, now: float) -> bool:
@@ -401,8 +410,9 @@ class CueLists:
         self._ignored_count += 1
         return (Outgoing(who, Refused(f"ignored: {why}. Nothing was called.", call)),)
 
-    def _note_act(self, name: str, who: str, now: float) -> None:
+    def _note_act(self, name: str, who: str, now: float, what: str) -> None:
         self._last_go = now
+        self._acts[name] = what
         self._pressed[name] = (now, self._name_of(who))
         self._rejected = ()
         self._note_played()

@@ -22,7 +22,8 @@ class BindingDocument(msgspec.Struct, frozen=True):
     `bank:NAME`. `axis`: `yaw` of a head; `arguments`: of a call. `low`, `high`: values at both ends of the control
     (nil: the target's own); `curve`: exponent between them; `pick_up`: a fader acts once it has crossed the value on
     air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
-    range that one step moves. `bank`: where it plays, "" in all.
+    range that one step moves. `bank`: where it plays, "" in all. `dead_zone`: how far from its middle a stick counts as
+    there, 0..0.45 of its way.
     """
 
     device: DeviceName
@@ -38,6 +39,7 @@ class BindingDocument(msgspec.Struct, frozen=True):
     relative: Literal["", "twos_complement", "binary_offset", "sign_magnitude"] = ""
     step: float = 1.0 / 128.0
     bank: Annotated[str, msgspec.Meta(max_length=80)] = ""
+    dead_zone: float = 0.0
 
 
 class BindingMessage(DeviceMessage, frozen=True):

@@ -12,7 +12,7 @@ from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.clip_goals import clip_of_goal
-from omote.perform.scene.goals import Part, passes, ranges_of, split_part
+from omote.perform.scene.goals import MACROS, Part, passes, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
 from omote.perform.scene.pad_goals import is_pad_goal
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
@@ -87,7 +87,7 @@ def _named_by(cue: Cue) -> Iterable[str]:
             yield from [looked] if (looked := name_in(dict(move.goal))) else []
         elif passes(part):
             yield from [clip_of_goal(move.goal).name] if move.goal else []
-        elif ranges_of(part) is None and name != "light" and not is_pad_goal(part, move.goal):
+        elif ranges_of(part) is None and name not in ("light", MACROS) and not is_pad_goal(part, move.goal):
             yield from move.goal
 
 
@@ -451,17 +451,20 @@ class CueWait(msgspec.Struct, frozen=True):
 
 
 class CueMotion(msgspec.Struct, frozen=True):
-    """A part that a cue moves: the number of the cue ("" where it goes back), and in how many seconds it arrives."""
+    """A part that is moved: the number of the cue that moves it, or the `act` that does, "Back" or "Assert", and in how
+    many seconds it arrives."""
 
     number: str
     part: Part
     seconds: float
+    act: str = ""
 
 
 class CueListStatus(msgspec.Struct, frozen=True):
     """How far a list is. `current`: the cue that was called last; `standby`: the one that GO calls; `waits`, `moving`:
-    the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since the last
-    GO, None before the first, `by` whom, "" where it followed by itself."""
+    the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since
+    somebody pressed last, None before that; `pressed`: what that was ("GO 12", "Back", "Assert" or "Go to 12"), `by`
+    whom."""
 
     current: CueName | None
     standby: CueName | None
@@ -471,6 +474,7 @@ class CueListStatus(msgspec.Struct, frozen=True):
     follows_in: float = 0.0
     since: float | None = None
     by: str = ""
+    pressed: str = ""
 
 
 class CueStatus(msgspec.Struct, frozen=True):

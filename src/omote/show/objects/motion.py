@@ -1,4 +1,4 @@
-"""Motion that a character makes by itself, what its eyes look at, and gestures."""
+"""Motion that a character makes by itself, what its eyes look at, gestures, and what swings as its head moves."""
 
 from __future__ import annotations
 
@@ -11,11 +11,19 @@ from omote.perform.gestures import AMPLITUDE_LIMIT, GestureName
 from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
+from omote.perform.springs.cast_springs import SPRING_NAMES, SpringName, check_spring
+from omote.perform.springs.springs import AMOUNT_LIMIT
 from omote.show.declaration import CallId, CharacterCommand, CharacterName, RequestId, SceneCommand, characters_of
-from omote.show.osc import PRESS, Value, angle, osc
+from omote.show.objects.state import CharacterState
+from omote.show.osc import PRESS, Osc, Value, angle, osc
 
 OTHER = Value("character", name="name")
 _DETAIL = "sets the {} of its own motion, beside all else of it; 1 at first"
+
+
+def _amount(state: CharacterState, spring: str) -> tuple[float]:
+    """How much of a spring is set."""
+    return (state.springs.get(check_spring(spring), 1.0),)
 
 
 class SetMotion(CharacterCommand, frozen=True):
@@ -123,3 +131,31 @@ class MakeGesture(CharacterCommand, frozen=True):
     def play(self, performer: Performer) -> None:
         """Plays it."""
         performer.gesture(self.name, amplitude=self.amplitude, seconds=self.seconds)
+
+
+class SetSpring(CharacterCommand, frozen=True):
+    """How much of a spring of a character shows, 0..2, 1 at first: of the ears of animals that sway and flap, of jowls
+    that sway, of cheeks that bounce as the head moves. It is multiplied by twice the liveliness of `set_motion`."""
+
+    hand = "moves"
+    osc = (
+        Osc(
+            "spring/{name}",
+            "sets how much of a spring shows: ears, jowls or cheeks that swing as the head moves; 1 at first",
+            ("amount",),
+            on_air=_amount,
+            reported=lambda _: ((name,) for name in SPRING_NAMES),
+        ),
+    )
+
+    name: Annotated[SpringName, Value("spring")]
+    amount: Annotated[float, Value(high=AMOUNT_LIMIT)]
+    id: RequestId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Plays it."""
+        performer.set_spring(self.name, self.amount)
+
+    def control(self, character: str) -> str:
+        """The fader of a spring."""
+        return f"{super().control(character)}:{self.name}"

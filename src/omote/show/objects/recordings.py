@@ -49,7 +49,7 @@ class MarkMoment(ClientMessage, frozen=True):
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Does nothing else: the recording holds the message. session: the show; who: the client; now: seconds,
         monotonic."""
-        if session.recorder is None:
+        if not session.recorder.records:
             raise ValueError("this show is not recorded, so no moment of it can be marked")
         return ()
 
@@ -64,7 +64,7 @@ class RecordingRequest(ClientMessage, frozen=True):
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Keeps the request for the server. session: the show; who: the client; now: seconds, monotonic."""
-        if session.recorder is None:
+        if not session.recorder.records:
             raise ValueError("this show is not recorded")
         session.recording_requests.append(KeepRequest(who, self))
         return ()

@@ -10,6 +10,7 @@ import msgspec
 from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
+from omote.perform.springs.cast_springs import SpringName
 from omote.show.declaration import ServerMessage
 from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.link import Bus
@@ -131,6 +132,14 @@ class ClipState(msgspec.Struct, frozen=True):
     silent: str = ""
 
 
+class MacroState(msgspec.Struct, frozen=True):
+    """A macro: `value` -1..1, where its hand has it; `share`: how much of it shows, 0..1, by its condition, 0 until a
+    hand moves it after a panic."""
+
+    value: float
+    share: float
+
+
 class PadPointState(msgspec.Struct, frozen=True):
     """The point of a pad on a character: its `place`, -1..1 for each dimension; `plays`: what shows follows it, and
     nothing else has taken over since."""
@@ -151,7 +160,9 @@ class CharacterState(msgspec.Struct, frozen=True):
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
-    `pads`: where the points of pads are, by name, of those that have been moved since the last panic.
+    `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
+    last panic.
+    `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: dict[str, float]
@@ -181,7 +192,9 @@ class CharacterState(msgspec.Struct, frozen=True):
     speech: SpeechState | None = None
     spoken: str = ""
     clips: list[ClipState] = []
+    macros: dict[str, MacroState] = {}
     pads: dict[str, PadPointState] = {}
+    springs: dict[SpringName, float] = {}
 
 
 class State(ServerMessage, frozen=True):

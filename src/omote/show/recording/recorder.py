@@ -27,7 +27,7 @@ from omote.show.recording.entries import (
     SoundsKnown,
     Ticked,
 )
-from omote.show.session import ShowSession
+from omote.show.session import ShowSession, Unrecorded
 from omote.show.sources.sources_snapshot import Route
 
 SNAPSHOT_SECONDS = 2.0
@@ -36,8 +36,10 @@ PIECE_SNAPSHOTS = 30
 """Of a piece, which begins with one that has the cues too, and so needs no entry before it: a minute."""
 
 
-class Recorder:
+class Recorder(Unrecorded):
     """The entries of a session from now on, until somebody takes them: once a tick. session: the show."""
+
+    records = True
 
     def __init__(self, session: ShowSession) -> None:
         self._session = session

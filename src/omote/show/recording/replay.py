@@ -62,6 +62,7 @@ class Replay:
             self.session = ShowSession.restored(cast, kept.session, epoch=kept.epoch, revision=kept.revision)
         except ValueError as error:
             raise ReplayError(f"the snapshot cannot be played: {error}") from error
+        self.session.plays_preview = False
         self.session.resume(kept.now, kept.number, kept.eyes)
         self.session.sources.replay(kept.sources)
         self.session.sounds.set(kept.sounds, kept.sounds_called)
@@ -72,20 +73,26 @@ class Replay:
         for who, client in kept.members.items():
             self.session.join(who, client.name, client.seat, client.bus)
 
-    def play(self, entries: Iterable[AnyEntry]) -> Iterator[ReplayedTick]:
+    def play(self, entries: Iterable[AnyEntry], after: float | None) -> Iterator[ReplayedTick]:
         """Does what was recorded, tick by tick; ReplayError where an entry cannot be done again. entries: those behind
-        the snapshot."""
+        the snapshot; after: as of `replay`."""
         for entry in entries:
-            if isinstance(entry, Ticked):
+            if not isinstance(entry, Ticked):
+                self._do(entry)
+            elif after is None or entry.now > after:
                 yield self._tick(entry)
             else:
-                self._do(entry)
+                self._pass(entry)
 
-    def _tick(self, entry: Ticked) -> ReplayedTick:
+    def _pass(self, entry: Ticked) -> State:
         self.session.cues.take_lines()  # what cues have said was recorded as what somebody says
         state = self.session.tick(entry.now)
         self.session.cues.take_sends()  # a replay sends nothing
         self.session.texts.take()
+        return state
+
+    def _tick(self, entry: Ticked) -> ReplayedTick:
+        state = self._pass(entry)
         same = None if entry.check is None else zlib.crc32(encode(state)) == entry.check
         return ReplayedTick(entry.now, state, self.session.cast.digest, same)
 
@@ -158,9 +165,7 @@ def replay(
         if playing is None or (playing.session.number, playing.session.epoch) != (first.number, first.epoch):
             beginning, rest = _begin(entries, Beginning(first, first.book, first.clips or {}), after)
             playing = Replay(beginning, find_cast, find_clip)
-        for tick in playing.play(rest):
-            if after is None or tick.now > after:
-                yield tick
+        yield from playing.play(rest, after)
 
 
 def _begin(entries: list[AnyEntry], first: Beginning, after: float | None) -> tuple[Beginning, list[AnyEntry]]:

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clipTime, endedWords, lightWords, passWords, positionOf } from "./clip_passes";
+import { clipTime, endedWords, lightWords, ownPass, passWords, positionOf } from "./clip_passes";
 
 describe("passes", () => {
   it("are where the clip was when they began, and go on from there", () => {
@@ -25,5 +25,14 @@ describe("passes", () => {
     expect(lightWords(pass, "Kaori", 6)).toBe("mouth of Kaori, line · Anna");
     expect(endedWords(pass, true, 20)).toBe("Kept in line: mouth is a lane now; another hand ended it.");
     expect(endedWords(pass, true, 600)).toContain("it ended by itself after ten minutes");
+  });
+
+  it("are ended by the key of who records them, at any page of theirs that plays the character", () => {
+    const pass = { by: "Anna", parts: [], name: "line", lane: "", character: "one", began: 0, start: 0 };
+    expect(ownPass([pass], "Anna 2", ["one"])).toBe(pass);
+    expect(ownPass([{ ...pass, by: "Anna 3" }], "Anna", ["two", "one"])?.by).toBe("Anna 3");
+    expect(ownPass([pass], "Anna", ["two"])).toBeUndefined();
+    expect(ownPass([pass], "Bo", ["one"])).toBeUndefined();
+    expect(ownPass([{ ...pass, by: "" }], "Anna", ["one"])).toBeUndefined();
   });
 });

@@ -7,6 +7,21 @@ import type { ConsoleStore } from "../store/console_store";
 /** All passes that are recorded now. */
 export const passesOf = (show: ConsoleStore): readonly ClipPass[] => show.newest("clip_work")?.passes ?? [];
 
+const withoutNumber = (name: string): string => name.replace(/(?<=\S) \d+$/, "");
+
+/**
+ * The pass that the hand at a console ends by a key: of a character that it plays, recorded by a page of the same name
+ * ("Anna 2" is another page of Anna's). `name`: of the console; `played`: its characters.
+ */
+export const ownPass = (passes: readonly ClipPass[], name: string, played: readonly string[]): ClipPass | undefined =>
+  passes.find(({ by, character }) => withoutNumber(by) === withoutNumber(name) && played.includes(character));
+
+/** Ends a pass, and says how. */
+export function endPass(show: ConsoleStore, { character, lane, name }: ClipPass, keep: boolean): void {
+  show.ask({ type: "keep_pass", character, keep });
+  show.say(keep ? `Kept in ${name}: lane ${lane}.` : "The pass is discarded.", "done");
+}
+
 /** Where in the time of its clip a pass is; `time`: of the show. */
 export const positionOf = (pass: Pick<ClipPass, "began" | "start">, time: number): number =>
   pass.start + Math.max(0, time - pass.began);

@@ -8,7 +8,7 @@ import { base, ellipsis } from "../../ui/theme";
 import { ConsoleDialog, sheet } from "../controls/console_dialog";
 import { AnimatedElement, type ConsoleContext } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
-import { clipTime, lightWords, passesOf, passWords, positionOf } from "./clip_passes";
+import { clipTime, endPass, lightWords, passesOf, passWords, positionOf } from "./clip_passes";
 
 const style = css`
   :host {
@@ -173,9 +173,8 @@ export class Passes extends ConsoleDialog {
     </section>`;
   }
 
-  #end({ character, lane, name }: ClipPass, keep: boolean): void {
-    this.store.ask({ type: "keep_pass", character, keep });
-    this.store.say(keep ? `Kept in ${name}: lane ${lane}.` : "The pass is discarded.", "done");
+  #end(pass: ClipPass, keep: boolean): void {
+    endPass(this.store, pass, keep);
     this.close();
   }
 }

@@ -3,10 +3,11 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { styleMap } from "lit/directives/style-map.js";
+import type { CueWait } from "../../link/messages";
 import { base, ellipsis } from "../../ui/theme";
 import { CueElement, colourOf, warning } from "./cue_element";
 import type { CueTopic } from "./cue_store";
-import { agoOf, countOf, partWords, timeLeft } from "./cue_words";
+import { agoOf, countOf, timeLeft } from "./cue_words";
 
 const style = css`
   :host {
@@ -97,10 +98,10 @@ export class CueAir extends CueElement {
   }
 
   #called() {
-    const { current, by, since } = this.cues.way;
+    const { current, by, since, pressed } = this.cues.way;
     if (current === null) return html`<p class="quiet">No cue has been called yet.</p>`;
     const left = timeLeft(this.cues.way, this.cues.current);
-    const ago = since === null ? "" : `last GO ${agoOf(since)} ago${by === "" ? "" : ` by ${by}`}`;
+    const ago = since === null ? "" : `${pressed} ${agoOf(since)} ago${by === "" ? "" : ` by ${by}`}`;
     return html`<div class="called" style=${styleMap({ borderColor: colourOf(current.colour) })}>
       <span class="number">${current.number}</span><span class="label">${this.cues.titleOf(current)}</span>
       <span class="left" title="Seconds until it has ended">${left > 0 ? countOf(left) : ""}</span>
@@ -108,7 +109,7 @@ export class CueAir extends CueElement {
     </div>`;
   }
 
-  #line({ number, part, seconds }: { number: string; part: string; seconds: number }, how: string) {
-    return html`<li><b>${number || "Back"}</b><span class="what">${partWords(part, this.cues.labels)}</span><span>${how}${countOf(seconds)} s</span></li>`;
+  #line({ number, act = "", part, seconds }: CueWait & { act?: string }, how: string) {
+    return html`<li><b>${number || act}</b><span class="what">${this.cues.partOf(number, part)}</span><span>${how}${countOf(seconds)} s</span></li>`;
   }
 }

@@ -29,6 +29,7 @@ const MAIN: CueListStatus = {
   follows_in: 0,
   since: null,
   by: "",
+  pressed: "",
 };
 const STATUS: CueStatus = {
   chosen: "main",

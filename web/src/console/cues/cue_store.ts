@@ -14,7 +14,7 @@ import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
 import { standbyBeside } from "./cue_order";
-import { titleWords } from "./cue_words";
+import { movedWords, titleWords } from "./cue_words";
 import { LocalEdits } from "./local_edits";
 import type { KnownNames } from "./missing_names";
 
@@ -30,6 +30,7 @@ const NOT_PLAYED: CueListStatus = {
   follows_in: 0,
   since: null,
   by: "",
+  pressed: "",
 };
 const NO_CUES: CueStatus = {
   chosen: "main",
@@ -161,6 +162,12 @@ export class CueStore extends TopicStore<CueTopic> {
   /** What a cue is called, also one without a label. */
   titleOf({ identity, label }: CueName): string {
     return titleWords(this.find(identity) ?? { label, moves: {}, actions: [] }, this.labels);
+  }
+
+  /** A part that the cue of a number moves, in words. */
+  partOf(number: string, part: string): string {
+    const cue = this.list.find((each) => each.number === number);
+    return movedWords(part, cue?.moves[part]?.goal, this.labels);
   }
 
   /** What people call each character. */

@@ -31,6 +31,13 @@ it("calls a cue without a label by what it moves", () => {
     "light, Kaori face, Kaori head and 2 more",
   );
   expect(titleWords({ label: "", moves: {}, actions: [] }, {})).toBe("moves nothing");
+  const clips = {
+    "two/clip": { ...move, goal: { monologue: 1, ":start": 2 } },
+    "one/clip": move,
+  };
+  expect(titleWords({ label: "", moves: clips, actions: [] }, { two: "Two" })).toBe(
+    "Two clip monologue, one clip stop",
+  );
 });
 
 it("says the moves of a running order", () => {
@@ -57,13 +64,14 @@ it("has a cue end with its last move, also one that waits", () => {
     standby: null,
     waits: [{ number: "2", part: "one/face", seconds: 0.5 }],
     moving: [
-      { number: "2", part: "one/head", seconds: 1 },
-      { number: "1", part: "*/light", seconds: 9 },
+      { number: "2", part: "one/head", seconds: 1, act: "" },
+      { number: "1", part: "*/light", seconds: 9, act: "" },
     ],
     follows: null,
     follows_in: 0,
     since: 1,
     by: "",
+    pressed: "GO 2",
   };
   const move = { goal: { dog: 1 }, seconds: 3, easing: "smooth", delay: 1 };
   expect(timeLeft(way, { moves: { "one/face": move } } as unknown as Cue)).toBe(3.5);

@@ -2,7 +2,8 @@
 
 import { ALL } from "../../link/constants";
 import type { Cue, CueListStatus } from "../../link/messages";
-import { goalText, kindOf, partsInOrder } from "./goal_text";
+import { clipCallOf } from "./clip_goal";
+import { type Goal, goalText, kindOf, partsInOrder, STOP } from "./goal_text";
 
 /** Seconds that count down or up: tenths below a minute, then minutes and seconds. */
 export function countOf(seconds: number): string {
@@ -28,6 +29,12 @@ export function partWords(part: string, labels: Readonly<Record<string, string>>
   return owner === ALL ? kindOf(part) : `${labels[owner] || owner} ${kindOf(part)}`;
 }
 
+/** The same of a part that a cue moves, with the clip that it plays: `Kaori clip monologue`. */
+export function movedWords(part: string, goal: Goal | undefined, labels: Readonly<Record<string, string>>): string {
+  const words = partWords(part, labels);
+  return goal === undefined || kindOf(part) !== "clip" ? words : `${words} ${clipCallOf(goal)?.clip ?? STOP}`;
+}
+
 /** What a cue is called; one without a label by the parts that it moves. */
 export function titleWords(
   { label, moves, actions }: Pick<Cue, "label" | "moves" | "actions">,
@@ -36,7 +43,7 @@ export function titleWords(
   const parts = Object.keys(moves);
   if (label !== "") return label;
   const more = parts.length > 3 ? ` and ${parts.length - 3} more` : "";
-  const named = parts.slice(0, 3).map((part) => partWords(part, labels));
+  const named = parts.slice(0, 3).map((part) => movedWords(part, moves[part]?.goal, labels));
   if (parts.length === 0 && actions.length > 0) return movesWords({ moves, actions: actions.slice(0, 1) }, labels);
   return parts.length === 0 ? "moves nothing" : `${named.join(", ")}${more}`;
 }

@@ -6,7 +6,7 @@ import { clockOf } from "../../ui/show_times";
 import { base, ellipsis, palette } from "../../ui/theme";
 import { CueElement, warning } from "./cue_element";
 import type { CueTopic } from "./cue_store";
-import { agoOf, countOf, goesOnWords, partWords, timeLeft } from "./cue_words";
+import { agoOf, countOf, goesOnWords, timeLeft } from "./cue_words";
 
 /** Sizes are those of a screen of 1280 by 800, whatever the screen is: 57 of its pixels are 16' of arc at two metres. */
 const style = css`
@@ -128,9 +128,9 @@ export class FarView extends CueElement {
   }
 
   override render() {
-    const { since, by } = this.cues.way;
+    const { since, by, pressed } = this.cues.way;
     return html`<div class="bar"><span class="clock" aria-label="Time of day">${clockOf(new Date())}</span><slot></slot>
-        <span class="since">${since === null ? "" : `${agoOf(since)} ${by}`}</span></div>
+        <span class="since">${since === null ? "" : `${pressed} ${agoOf(since)} ${by}`}</span></div>
       ${this.#air()}${this.#next()}
       <div class="rest">${this.#words() ?? this.#rows()}</div>`;
   }
@@ -149,8 +149,8 @@ export class FarView extends CueElement {
   #moving() {
     const { moving, waits } = this.cues.way;
     if (moving.length + waits.length === 0) return nothing;
-    const words = [...moving, ...waits].map(
-      ({ number, part, seconds }) => `${number || "Back"} ${partWords(part, this.cues.labels)} ${countOf(seconds)}`,
+    const words = [...moving, ...waits.map((one) => ({ ...one, act: "" }))].map(
+      ({ number, act, part, seconds }) => `${number || act} ${this.cues.partOf(number, part)} ${countOf(seconds)}`,
     );
     return html`<div class="moving">${words.join(" · ")}</div>`;
   }

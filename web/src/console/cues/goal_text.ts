@@ -3,7 +3,7 @@
  * angles in degrees, as the console has them.
  */
 
-import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS } from "../../link/constants";
+import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS, SPRINGS } from "../../link/constants";
 import { clipCallOf, clipWords } from "./clip_goal";
 
 export type Goal = Readonly<Record<string, number>>;
@@ -18,6 +18,7 @@ export const CHARACTER_PARTS = [
   "place",
   "presence",
   "motion",
+  "springs",
   "look",
   ...LAYERS.map((layer) => `layer:${layer}`),
   "clip",
@@ -37,7 +38,7 @@ const ownerOf = (part: string): string => part.slice(0, part.lastIndexOf("/"));
 /** How the text says that a region goes with the whole face. */
 const WITH_FACE = "face";
 /** How it says that clips stop. */
-const STOP = "stop";
+export const STOP = "stop";
 
 /** What a goal of each part that is numbers looks like. */
 const NUMBERS: Readonly<Record<string, Goal>> = {
@@ -46,6 +47,7 @@ const NUMBERS: Readonly<Record<string, Goal>> = {
   place: { x: 0, depth: 0, size: 1, turn: 0 },
   presence: { presence: 1 },
   motion: { liveliness: 1, blinks: 1, gaze: 1, breath: 1 },
+  springs: Object.fromEntries(SPRINGS.map((spring) => [spring, 1])),
   black: { black: 1 },
   ...Object.fromEntries(
     LAYERS.map((layer) => [`layer:${layer}`, Object.fromEntries(LAYER_PARTS.map((part) => [part, 1]))]),
@@ -134,9 +136,11 @@ function completed(part: string, goal: Goal, before?: Goal): Record<string, numb
   return numbers === undefined ? typed : { ...numbers, ...before, ...typed };
 }
 
-/** Whether one number says all of a part: it has no other, or all are of one kind, as of a layer. */
+/** Whether one number says all of a part: it has no other, or all are of one kind, as of a layer or of springs. */
 const takesOneNumber = (part: string): boolean =>
-  Object.keys(NUMBERS[kindOf(part)] ?? {}).length === 1 || kindOf(part).startsWith("layer:");
+  Object.keys(NUMBERS[kindOf(part)] ?? {}).length === 1 ||
+  kindOf(part).startsWith("layer:") ||
+  kindOf(part) === "springs";
 
 function parseEntries(part: string, text: string): Record<string, number> {
   const goal: Record<string, number> = {};

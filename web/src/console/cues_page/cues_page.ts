@@ -3,6 +3,7 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import { readRecordings } from "../../rehearsal/recordings";
 import type { FramePainter } from "../../ui/frame_painter";
 import { pressed } from "../../ui/gestures";
 import { focusedElement, hasFieldFocus, isBox, listenToKeys } from "../../ui/key_presses";
@@ -83,15 +84,20 @@ export class CuesPage extends CueElement {
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
       ${this.#modes()}
       <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => this.#showHelp(true)}>?</button>
-      <button class="print" title="Print the running order" @click=${this.#print}>Print</button>
+      <button class="print" title="Print the running order" @click=${() => void this.#print()}>Print</button>
       </div>${this.#panicKey()}</header>`;
   }
 
-  /** What stands on paper beside the name of the list: another print is another day's. */
-  readonly #print = (): void => {
+  /** What stands on paper beside the name of the list: of which show; another print is another day's. */
+  readonly #print = async (): Promise<void> => {
     const date = new Intl.DateTimeFormat(undefined, { dateStyle: "long", timeStyle: "short" }).format(new Date());
-    this.printed = [...Object.values(this.cues.labels), date].join(" · ");
-    void this.updateComplete.then(() => print());
+    const [show = ""] = await readRecordings().then(
+      ({ files = [] }) => files,
+      () => [], // one that is not recorded is printed without
+    );
+    this.printed = [show, ...Object.values(this.cues.labels), date].filter((word) => word !== "").join(" · ");
+    await this.updateComplete;
+    print();
   };
 
   #panicKey() {

@@ -18,6 +18,7 @@ export const FIRST_BINDING: BindingDocument = {
   relative: "",
   step: 1 / 128,
   bank: "",
+  dead_zone: 0,
 };
 
 /** Arguments as they are written: numbers where they are numbers. */

@@ -19,6 +19,7 @@ const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
   arkit: "ARKit",
   makehuman: "MakeHuman",
   omote: "Omote",
+  spring: "spring",
   own: "own",
 };
 

@@ -34,11 +34,11 @@ export const style = css`
     border-color: var(--edge);
   }
   .count {
+    display: inline-block; /* as wide without a number: tabs stay under the hand when others get one */
+    min-width: 2.5ch;
     color: var(--air);
     font-weight: 700;
-  }
-  .count:not(:empty)::before {
-    content: " ";
+    text-align: right;
   }
   .strips {
     display: flex;

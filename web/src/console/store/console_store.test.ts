@@ -32,6 +32,9 @@ const CALM: CharacterState = {
   speech: null,
   spoken: "",
   clips: [],
+  macros: {},
+  pads: {},
+  springs: {},
 };
 const REST: State = {
   type: "state",

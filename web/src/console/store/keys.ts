@@ -92,7 +92,10 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["V  B", "Let go of the T-bar of the face, of the expression"],
   ["N  M", "Keep what is on air as a new face, as a new expression"],
   ["H  J", "To the head pad, to the gaze pad; then arrows"],
-  ["K", "To the characters beside the picture; then Tab and Enter, with Shift beside those played"],
+  [
+    "K",
+    "While you record a clip of a character played here: keeps the pass. Else to the characters beside the picture; then Tab and Enter, with Shift beside those played",
+  ],
   ["P", "Places, framing and names of the characters, and back to faders and pads"],
   [";", "Layers of the character as a mixer, and back to faders and pads"],
   ["'", "The characters played here hold still; again: they blink, breathe and look about as people do"],

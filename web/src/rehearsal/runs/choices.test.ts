@@ -35,10 +35,30 @@ it("holds the newest against the one before, else against what is kept, or anoth
     [0, 1, ""],
   ]);
   expect(chosen(document([]))).toEqual([undefined, undefined]);
+  expect(chosen(document([1, 2], ["dress"]))).toEqual([
+    [0, 1, "dress"],
+    [0, 2, ""],
+  ]);
   const twice = document([1], ["first", "second"]);
   twice.kept[1] = { ...span(1, "second"), first: 5 };
   expect(chosen(twice)).toEqual([
     [0, 1, "first"],
     [0, 1, "second"],
+  ]);
+});
+
+it("holds the one run that is kept of a start alone against the rest of it", () => {
+  const once = document([1], ["first"]);
+  once.kept[0] = { ...span(1, "first"), first: 1, seconds: 4 };
+  const { runs, a, b } = choicesOf([once]);
+  expect(runs[a]?.name).toBe("first");
+  expect(runs[b]).toEqual({ ...span(1, "after first"), first: 5, seconds: 5, written: 5, file: 0 });
+  once.kept[0] = { ...span(1, "first"), first: 6, seconds: 4 };
+  const late = choicesOf([once]);
+  expect(late.runs[late.b]).toEqual({ ...span(1, "before first"), seconds: 6, file: 0 });
+  once.kept[0] = span(1, "first");
+  expect(chosen(once)).toEqual([
+    [0, 1, "first"],
+    [0, 1, ""],
   ]);
 });

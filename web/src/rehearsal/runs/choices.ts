@@ -13,20 +13,48 @@ export interface Choices {
 
 /**
  * B is the newest start; A what it is held against: the newest of the other file, else the start before, else what is
- * kept of another one. Of one start alone two that are kept are compared: the whole has each in it.
+ * kept of another one. Of a start with one kept run that is taken, not the whole, which has warming up in it. Of one
+ * start alone two that are kept are compared, or the one with the rest of it.
  */
 export function choicesOf(documents: readonly RecordingsDocument[]): Choices {
   const runs = documents.flatMap(runsOf);
   const newest = (file: number, but = -1): number =>
     runs.findIndex((run, place) => run.file === file && run.name === "" && place !== but);
-  const b = Math.max(newest(0), 0);
-  const other = documents.length > 1 ? newest(1) : newest(0, b);
-  if (other >= 0) return { runs, a: other, b };
-  const kept = runs.flatMap(({ name }, place) => (name === "" ? [] : [place]));
-  const elsewhere = kept.find((place) => runs[place]?.start !== runs[b]?.start);
-  const [one, two] = [...kept].sort((first, second) => (runs[second]?.first ?? 0) - (runs[first]?.first ?? 0));
-  if (elsewhere !== undefined) return { runs, a: elsewhere, b };
-  return one === undefined || two === undefined ? { runs, a: one ?? 0, b } : { runs, a: two, b: one };
+  const whole = Math.max(newest(0), 0);
+  const other = documents.length > 1 ? newest(1) : newest(0, whole);
+  const keptOf = (place: number): number[] => {
+    const { start, file } = runs[place] ?? {};
+    const places = runs.flatMap((run, at) => (run.name !== "" && run.start === start && run.file === file ? [at] : []));
+    return places.sort((one, two) => (runs[two]?.first ?? 0) - (runs[one]?.first ?? 0));
+  };
+  const chosen = (place: number): number => {
+    const [one = place, ...more] = keptOf(place);
+    return more.length === 0 ? one : place;
+  };
+  if (other >= 0) return { runs, a: chosen(other), b: chosen(whole) };
+  const elsewhere = runs.findIndex(({ name, start }) => name !== "" && start !== runs[whole]?.start);
+  if (elsewhere >= 0) return { runs, a: elsewhere, b: chosen(whole) };
+  const [one, two] = keptOf(whole);
+  if (one === undefined) return { runs, a: 0, b: whole };
+  if (two !== undefined) return { runs, a: two, b: one };
+  const rest = restOf(runs[whole] as Run, runs[one] as Run);
+  return rest === undefined ? { runs, a: one, b: whole } : { runs: [...runs, rest], a: one, b: runs.length };
+}
+
+/** What a start has beside the run that is kept of it: the longer of what came after it and before; of none nothing. */
+function restOf(whole: Run, kept: Run): Run | undefined {
+  const end = kept.first + kept.seconds;
+  const before = kept.first - whole.first;
+  const after = whole.first + whole.seconds - end;
+  if (Math.max(before, after) <= 0) return undefined;
+  if (before > after) return { ...whole, seconds: before, name: `before ${kept.name}` };
+  return {
+    ...whole,
+    first: end,
+    seconds: after,
+    written: whole.written + end - whole.first,
+    name: `after ${kept.name}`,
+  };
 }
 
 /** A run in words: `evening · Mon 30 Nov, 20:15 · 1:32:10`. */

@@ -1,0 +1,1 @@
+"""Springs: what hangs and shakes of a face, driven by the head's motion above all layers."""
