@@ -9,8 +9,8 @@ by region; explained is the share of square millimetres on the generic head, all
 
 The rows of ../shared/design/hand.md, section 2, are printed beside ours where it has them.
 
-`python -m benchmarks.one_hand [--takes alex_rom_3,apfel,S07-001] [--every 6] [--faces generic,dog]`. Without the data it
-says so and ends with 0.
+`python -m benchmarks.one_hand [--takes alex_rom_3,apfel,S07-001] [--every 6] [--faces generic,dog]`. Without the data
+it says so and ends with 0.
 """
 
 from __future__ import annotations
@@ -35,12 +35,13 @@ import omote
 from benchmarks.performance_take import TAKE, Take, read_take
 from omote.geometry.mesh import normals
 from omote.model.cast import Cast
-from omote.model.known_names import GENERIC, NEUTRAL
+from omote.model.known_names import GENERIC, NEUTRAL, PlayRegion
 from omote.model.transfer.compound import compound
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.blending.region_masks import play_masks
 from omote.perform.frame import Frame
 from omote.perform.layers.follower import follow_number, rate_of
+from omote.perform.scene.cast_pads import cast_pads
 
 Values = NDArray[np.float64]
 GIVEN = ("eyeBlink", "eyeLook")
@@ -135,11 +136,15 @@ def halves_of(
 ) -> tuple[Values, list[tuple[str, ...]]]:
     """The halves of all controls as rows, and the units of each. gains: of units, 1 without one."""
     units = [tuple(half) for control in controls for half in control]
-    rows = [linear.row({unit: gains.get(f"{number}/{unit}", 1.0) for unit in half}) for number, half in enumerate(units)]
+    rows = [
+        linear.row({unit: gains.get(f"{number}/{unit}", 1.0) for unit in half}) for number, half in enumerate(units)
+    ]
     return np.array(rows), units
 
 
-def fit_gains(linear: Linear, controls: Sequence[Sequence[Sequence[str]]], mixes: Values, take: Values) -> dict[str, float]:
+def fit_gains(
+    linear: Linear, controls: Sequence[Sequence[Sequence[str]]], mixes: Values, take: Values
+) -> dict[str, float]:
     """How far each control moves each unit, fitted on frames (f, n) by turns with the controls."""
     gains: dict[str, float] = {}
     for _ in range(ROUNDS):
@@ -163,14 +168,13 @@ def fit_gains(linear: Linear, controls: Sequence[Sequence[Sequence[str]]], mixes
     return gains
 
 
-def mixes_of(linear: Linear, pad: omote.Pad | None) -> tuple[Values, list[dict[str, float]], list[tuple[float, float]]]:
-    """The mixtures of a pad of two dimensions at places of a grid: as rows, as mixes, and the places."""
+def mixes_of(linear: Linear, pad: omote.Pad | None) -> tuple[Values, list[tuple[float, float]]]:
+    """The mixtures of a pad of two dimensions at places of a grid, as rows, and the places."""
     if pad is None:
-        return np.zeros((1, len(linear.names))), [{NEUTRAL: 1.0}], [(0.0, 0.0)]
+        return np.zeros((1, len(linear.names))), [(0.0, 0.0)]
     ticks = np.linspace(-1.0, 1.0, GRID)
     places = [(float(x), float(y)) for x in ticks for y in ticks]
-    mixes = [pad.mix_at(place) for place in places]
-    return np.array([linear.row(mix) for mix in mixes]), mixes, places
+    return np.array([linear.row(pad.mix_at(place)) for place in places]), places
 
 
 def by_hand(values: Values, times: Values) -> Values:
@@ -203,7 +207,7 @@ class Measure:
 
     def play(self, face: str, channels: Mapping[str, float], mouth: Mapping[str, float] | None = None) -> Values:
         """Skin (V, 3) of a face. mouth: the mix of the pad in its region."""
-        regions = {} if mouth is None else {"mouth": mouth}
+        regions: dict[PlayRegion, Mapping[str, float]] = {} if mouth is None else {"mouth": mouth}
         worn = {name: weight for name, weight in channels.items() if weight}
         return evaluate(self.cast, Frame({face: 1.0}, {NEUTRAL: 1.0}, worn, regions=regions)).astype(np.float64)
 
@@ -215,7 +219,7 @@ class Measure:
 
 def find_pad(cast: Cast) -> omote.Pad:
     """The pad of the mouth that comes with the cast."""
-    return next(pad for pad in omote.cast_pads(cast) if pad.plays == "mouth")
+    return next(pad for pad in cast_pads(cast).values() if pad.part == "mouth")
 
 
 def measure_take(console: Console, cast: Cast, name: str, every: int, faces: tuple[str, ...]) -> None:
@@ -237,16 +241,18 @@ def measure_take(console: Console, cast: Cast, name: str, every: int, faces: tup
     for title in ("through", "explained", "hand.md", *faces, *(f"{faces[0]}: {region}" for region in regions)):
         table.add_column(title, justify="right")
     for title, (controls, with_pad, theirs) in track(WAYS.items(), name, console=Console(stderr=True)):
-        rows, mixes, places = mixes_of(linear, pad if with_pad else None)
+        rows, places = mixes_of(linear, pad if with_pad else None)
         gains = fit_gains(linear, controls, rows, learned)
         halves, units = halves_of(linear, controls, gains)
         ways = Ways(halves, rows)
         solved = [ways.solve(linear, wanted) for wanted in weights[half:]]
         best = np.array([[*at, *places[place]] for at, place in solved])
         for how, played in (("", best), (", by hand", by_hand(best, take.times[half:]))):
-            told = play_frames(measure, take, given, kept, tested, half, played, units, gains, pad if with_pad else None)
-            table.add_row(title + how, f"{told['explained']:.3f}", theirs if not how else "",
-                          *(tell_distance(told[face]) for face in faces), *(tell_distance(told[r]) for r in regions))  # fmt: skip
+            told = play_frames(
+                measure, take, given, kept, tested, half, played, units, gains, pad if with_pad else None
+            )
+            distances = (tell_distance(told[name]) for name in (*faces, *regions))
+            table.add_row(title + how, f"{told['explained']:.3f}", "" if how else theirs, *distances)
     console.print(table)
 
 
