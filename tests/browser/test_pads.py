@@ -205,7 +205,8 @@ def test_one_person_plays_two_pads_by_two_thumbs_cues_and_panic(open_page: OpenP
         touches = [{"x": x, "y": y, "id": n} for n, (x, y) in enumerate(points)]
         tools.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
 
-    mouth, moods = looks(page, "mouth", SOLO), looks(page, "moods", SOLO)
+    mouth = looks(page, "mouth", SOLO)
+    moods = looks(page, "moods", SOLO)
     touch("touchStart", at(page, "mouth", *mouth["Funnel"]))
     touch("touchStart", at(page, "mouth", *mouth["Funnel"]), at(page, "moods", *moods["Surprise"]))
     wait_until(

@@ -346,7 +346,14 @@ export const style = css`
       display: none; /* their keys stand with the characters */
     }
   }
-  @media (max-width: 359px) {
+  @media ${low} {
+    @media (max-width: 779px) {
+      .views [data-view="blend_pads"] {
+        display: none; /* no room for four: its key stands with the characters */
+      }
+    }
+  }
+  @media (max-width: 389px) {
     .views {
       gap: 3px;
     }

@@ -82,11 +82,15 @@ const style = css`
     }
   }
   @media ${low} {
-    .view:not(.blend_pads) {
+    .view {
       display: block;
     }
-    .blend_pads {
-      display: none; /* it stands below the picture */
+  }
+  @media ${low} {
+    @media (min-width: 780px) {
+      .blend_pads {
+        display: none; /* it stands below the picture */
+      }
     }
   }
   @media ${narrow} or ${low} {
