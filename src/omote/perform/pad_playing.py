@@ -141,8 +141,8 @@ class PadPlaying(CalledMix):
     def _mix(self, pad: Pad, place: PadPlace) -> dict[str, float]:
         """What a pad shows at a place, of what the cast has."""
         if pad.part == "face":
-            return pad.mix_at(place, self._cast.faces, GENERIC)
-        return pad.mix_at(place, self._cast.expressions, NEUTRAL)
+            return pad.mix_at(place, self._cast.faces, instead=GENERIC)
+        return pad.mix_at(place, self._cast.expressions, instead=NEUTRAL)
 
     def _pad_statuses(self) -> dict[str, PadStatus]:
         """The points that have been moved, by pad."""

@@ -121,7 +121,7 @@ def test_a_mix_is_that_of_its_looks_and_what_is_lost_counts_as_another() -> None
     looks = (PadLook("A", {"a": 0.5, "b": 0.5}, (-1.0,)), PadLook("B", {"b": 1.0}, (1.0,)))
     pad = Pad("pad", "mouth", 1, looks)
     assert pad.mix_at((0.0,)) == {"a": 0.25, "b": 0.75}
-    assert pad.mix_at((0.0,), {"b", "neutral"}, "neutral") == {"neutral": 0.25, "b": 0.75}
+    assert pad.mix_at((0.0,), {"b", "neutral"}, instead="neutral") == {"neutral": 0.25, "b": 0.75}
     assert (pad.lost({"b"}), pad.lost({"a", "b"})) == (["a"], [])
 
 

@@ -176,7 +176,7 @@ class Pad:
         return self._weights(self.check_place(place))
 
     def mix_at(
-        self, place: Sequence[float], known: Container[str] | None = None, instead: str = ""
+        self, place: Sequence[float], known: Container[str] | None = None, *, instead: str = ""
     ) -> dict[str, float]:
         """The mixture of the looks at a point.
 
@@ -204,7 +204,7 @@ class Pad:
         Examples
         --------
         >>> looks = [omote.PadLook(name, {name: 1.0}, (at,)) for name, at in (("lost", -1), ("neutral", 0), ("joy", 1))]
-        >>> omote.Pad("mood", "expression", 1, looks).mix_at((-1,), cast.expressions, "neutral")
+        >>> omote.Pad("mood", "expression", 1, looks).mix_at((-1,), cast.expressions, instead="neutral")
         {'neutral': 1.0}
         """
         weights = self._weights(self.check_place(place))
