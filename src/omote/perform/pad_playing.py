@@ -10,7 +10,7 @@ from omote.perform.axis import Axis, RegionAxes, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import PadStatus, with_fields
-from omote.perform.pads.blend_space import Pad, PadPlace, fitted
+from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
 from omote.perform.pads.pad_point import TAKE_UP_SECONDS
 
 NO_PADS: Mapping[str, Pad] = {}
@@ -141,8 +141,8 @@ class PadPlaying(CalledMix):
     def _mix(self, pad: Pad, place: PadPlace) -> dict[str, float]:
         """What a pad shows at a place, of what the cast has."""
         if pad.part == "face":
-            return pad.mix_at(place, self._cast.faces, GENERIC)
-        return pad.mix_at(place, self._cast.expressions, NEUTRAL)
+            return mix_of_place(pad, place, self._cast.faces, GENERIC)
+        return mix_of_place(pad, place, self._cast.expressions, NEUTRAL)
 
     def _pad_statuses(self) -> dict[str, PadStatus]:
         """The points that have been moved, by pad."""
