@@ -11,7 +11,7 @@ from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import PadStatus, with_fields
 from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
-from omote.perform.pads.pad_point import TAKE_UP_SECONDS
+from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS, TAKE_UP_SECONDS
 
 NO_PADS: Mapping[str, Pad] = {}
 
@@ -124,9 +124,10 @@ class PadPlaying(CalledMix):
         now = self._now
         mix = self._mix(pad, place)
         pads = {**now.pads, pad.name: place}
+        follow = FACE_SECONDS if pad.part == "face" else FOLLOW_SECONDS
 
         def play(on: Axis) -> Axis:
-            after = axis.played(on, pad.name, place, mix, seconds, easing)
+            after = axis.played(on, pad.name, place, mix, seconds, easing, follow)
             return after if pace is None else axis.with_pace(after, pace)
 
         if pad.part == "face":

@@ -56,6 +56,7 @@ class Macros:
 
 
 NO_MACROS = Macros()
+NOTHING_FADES: Mapping[str, Pair] = {}
 Read = Callable[[MacroCondition], float]
 
 
@@ -192,16 +193,13 @@ def given_by(macros: Macros, mappings: ByName) -> dict[str, list[float]]:
     fading = macros.fading
     for name, state in macros.moved.items():
         share = state.gate[1]
-        leaving = fading.get(name)
+        leaving = fading.get(name, NOTHING_FADES)
         for to, pair in zip(mappings[name].reached, state.given, strict=True):
             value = pair[1] * share
-            if leaving is not None and to in leaving:
+            if to in leaving:
                 value += leaving[to][1]
             if value:
-                if to in sources:
-                    sources[to].append(value)
-                else:
-                    sources[to] = [value]
+                sources.setdefault(to, []).append(value)
     for name, leaving in fading.items():
         own = mappings[name].reached if name in macros.moved else ()
         for to, pair in leaving.items():

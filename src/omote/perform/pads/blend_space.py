@@ -321,9 +321,7 @@ class Pad:
         return weights
 
 
-def mix_of_place(
-    pad: Pad, place: PadPlace, known: Container[str] | None = None, instead: str = ""
-) -> dict[str, float]:
+def mix_of_place(pad: Pad, place: PadPlace, known: Container[str] | None = None, instead: str = "") -> dict[str, float]:
     """The mixture of the looks of a pad at a place of it, as of `Pad.mix_at`. place: checked; known: the names that
     there are; instead: what others count as."""
     mix = combine(zip(pad._weights(place), pad._mixes, strict=True))
