@@ -1,7 +1,7 @@
 """A tick of a show that one person plays with pads, macros, a hand before the camera and springs, beside today's.
 
 Both shows are that of `four_characters`: two are tracked, two live by themselves. In one of them, between two ticks, a
-person moves four pads and twenty macros of two targets on the two that live, a hand drives one of them by its parts,
+person moves four pads and twenty macros of four targets on the two that live, a hand drives one of them by its parts,
 and eight springs of both move; in the other the same person calls expressions alone. They go by turns in one run; what
 is timed is all that the server does for a tick, messages included.
 
@@ -29,6 +29,7 @@ from rich.table import Table
 import omote
 from benchmarks.four_characters import CONSOLES, RATE, begin_show, drive, track, tracked_names
 from benchmarks.mappings import make_mappings
+from omote.perform.pads.blend_space import PadPart
 from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.objects.calls import CallExpression, CallFace
 from omote.show.objects.hand.macros import MoveMacro, SetMapping
@@ -40,7 +41,7 @@ from omote.show.wire import encode
 BAR = 1.3
 MACROS = 20
 WHO = CONSOLES[0]
-PADS = ("mouth", "brows")
+PADS: tuple[PadPart, ...] = ("mouth", "brows")
 """The regions whose pads are moved on both characters."""
 HANDLED = ("jawOpen", "browInnerUp", "browDownLeft", "browDownRight")
 """What the hand before the camera sends beside the head."""

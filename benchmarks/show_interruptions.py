@@ -1,10 +1,11 @@
-"""Ten thousand random interruptions by all that calls: cues, clips, takes, pauses, regions, faces, pads, macros.
+"""Ten thousand random interruptions by all that calls: cues, clips, takes, pauses, regions, faces, pads, macros, hands.
 
 One character of a show's session on the built-in cast, played by its own messages: GO, Back, go to (whole too), assert,
 pause and go on; clips called, looped and stopped; takes of what was built up in preview; calls of faces, expressions
 and single regions; the head by cues; points of the cast's pads, which cues move, and a hand, in strokes from rest to
 rest of at most 0.7 widths of a pad a second, until something else is called; a look of a pad is dragged a little while
-it plays; macros that cues move, whose mappings are redrawn meanwhile. With `--panics` a panic is one of them. Each
+it plays; macros that cues move, whose mappings are redrawn meanwhile; a hand before the camera, which is seen and lost
+again; springs, which head and jaw move, set to other amounts. With `--panics` a panic is one of them. Each
 lasts 0.5-4 s (log-uniform) with the default easing and none is a cut; the next comes 0.04-0.2 s later (GO and its kin
 0.26 s after one another: sooner they are ignored). The peer plays the same messages at the same instants and forgets
 the velocity that a call takes over, as `interruptions.py` has it; it is looked at only around the interruptions, so its
@@ -59,6 +60,7 @@ from omote.perform.mix import mix_in
 from omote.perform.scene import movement
 from omote.perform.scene.cast_pads import cast_pads
 from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal
+from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
 from omote.show.declaration import ClientMessage
 from omote.show.messages import PROTOCOL_VERSION
@@ -68,7 +70,9 @@ from omote.show.objects.cues import AssertLook, CuePlay, Go, GoBack, GoToCue, Pa
 from omote.show.objects.hand.macros import SetMapping
 from omote.show.objects.hand.pads import MovePad, SetPad
 from omote.show.objects.link import Hello
+from omote.show.objects.motion import SetMotion, SetSpring
 from omote.show.objects.preview import Take
+from omote.show.objects.sources import Drive, Source
 from omote.show.session import ShowSession
 
 COUNT = 10_000
@@ -77,6 +81,8 @@ WHO = "one"
 MACROS = ("m1", "m2")
 CUES = 40
 CLIPS = 4
+HANDLED = ("jawOpen", "browInnerUp")
+"""What a hand before the camera plays beside the head: the opening of its fingers, and a curl."""
 SOONEST_LATEST = 0.04, 0.2
 CUES_APART = 0.26
 """Seconds."""
@@ -170,6 +176,8 @@ def make_session(cast: omote.Cast, seed: int) -> ShowSession:
     session.receive("eve", Hello("console", PROTOCOL_VERSION, "eve", bus="preview"), 0.0)
     for mapping in make_mappings(rng, units):
         session.receive("ana", SetMapping(WHO, mapping.name, mapping), 0.0)
+    session.receive("ana", SetMotion(WHO, 0.5, blinks=0.0, gaze=0.0, breath=0.0), 0.0)  # for springs alone
+    session.receive("ana", Source("hand", "tracker", list(HANDLED), [WHO]), 0.0)
     clips = {f"clip{number}": make_clip(cast, rng, worn, units) for number in range(CLIPS)}
     session.clips.load(clips)
     cues = make_cues(rng, list(cast.faces), worn, list(clips))
@@ -218,6 +226,21 @@ def begin_stroke(session: ShowSession, message: ClientMessage, aim: tuple[float,
     return Stroke(message.name, (x, y), aim, now, seconds)
 
 
+def seen_hand(now: float) -> Drive:
+    """What a hand before the camera sends: it opens and turns slowly, as a tracker without noise sees it."""
+    opens, curls, turns = (0.5 - 0.5 * math.cos(pace * now) for pace in (2.0, 1.3, 0.9))
+    values = np.array([0.6 * opens, 0.5 * curls], "<f4").tobytes()
+    return Drive(1, values, (0.4 * turns - 0.2, 0.1 * opens, 0.0))
+
+
+def move_hands(session: ShowSession, stroke: Stroke | None, now: float, *, is_seen: bool) -> None:
+    """What hands send before a step: one on a pad, on its stroke, and one before the camera, where it is seen."""
+    if stroke is not None:
+        session.receive("ana", MovePad(WHO, stroke.pad, *stroke.at(now)), now)
+    if is_seen:
+        session.receive("ana", seen_hand(now), now)
+
+
 # --- the log ----------------------------------------------------------------------------------------------------------
 
 
@@ -232,12 +255,13 @@ class Log:
         self.worn = [name for name, title in cast.titles.items() if title.kind in ("neutral", "performed")]
         self.number = 0
         self.aim = (0.0, 0.0)
+        self.is_hand_seen = False
         self.pads = cast_pads(cast)
         self.mappings = dict(mappings)
         self.kinds: list[Callable[[str], list[Act]]] = [
             self.go, self.go, self.go_back, self.go_to, self.hold, self.pause, self.pause, self.call, self.call,
             self.region, self.region, self.clip, self.clip, self.stop, self.take, self.take,
-            self.pad, self.pad, self.pad, self.drag, self.redraw,
+            self.pad, self.pad, self.pad, self.drag, self.redraw, self.hand, self.spring,
         ]  # fmt: skip
         if panics:
             self.kinds.append(lambda identity: [("panic", "ana", Panic(WHO, identity))])
@@ -304,6 +328,16 @@ class Log:
         pad = str(self.rng.choice(list(self.pads)))
         self.aim = (float(self.rng.uniform(-1.0, 1.0)), float(self.rng.uniform(-1.0, 1.0)))
         return [("pad", "ana", MovePad(WHO, pad))]
+
+    def hand(self, _: str) -> list[Act]:
+        """The hand before the camera comes into sight, or is lost."""
+        self.is_hand_seen = not self.is_hand_seen
+        return [("hand seen" if self.is_hand_seen else "hand lost", "ana", Drive(1, bytes(8), found=False))]
+
+    def spring(self, _: str) -> list[Act]:
+        """More or less of a spring."""
+        name = SPRING_NAMES[int(self.rng.integers(len(SPRING_NAMES)))]
+        return [("spring", "ana", SetSpring(WHO, name, float(self.rng.uniform(0.0, 2.0))))]
 
     def redraw(self, identity: str) -> list[Act]:
         """A mapping is changed a little, wherever its macro stands."""
@@ -424,8 +458,7 @@ def play(cast: omote.Cast, seed: int, count: int, *, inertial: bool, panics: boo
             strides = [1] * steps if inertial else [1, 1, steps - 5, 1, 1, 1]
             for place, stride in enumerate(strides):
                 now += stride / RATE
-                if stroke is not None:
-                    session.receive("ana", MovePad(WHO, stroke.pad, *stroke.at(now)), now)
+                move_hands(session, stroke, now, is_seen=log.is_hand_seen)
                 frames = [*frames[-2:], session.cues.advance(stride / RATE).characters[WHO].frame]
                 mixes = [*mixes[-2:], mixes_of(frames[-1])]
                 if len(frames) == 3 and strides[place - 1] == stride == 1:

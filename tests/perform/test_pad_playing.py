@@ -11,7 +11,7 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.frame import Frame
 from omote.perform.pads.blend_space import Pad, PadLook
-from omote.perform.pads.pad_point import TAKE_UP_SECONDS
+from omote.perform.pads.pad_point import FACE_SECONDS, TAKE_UP_SECONDS
 from omote.perform.panic import PANIC_SECONDS
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, check_snapshot
@@ -66,6 +66,17 @@ def test_a_pad_of_faces_plays_faces_and_one_of_a_region_that_alone(cast: Cast) -
     frame = performer.advance(1.0)
     assert frame.faces == {"generic": 0.5, "broad": 0.5}
     assert (frame.expressions, frame.regions) == ({"neutral": 1.0}, {"mouth": {"jawOpen": 0.5, "neutral": 0.5}})
+
+
+def test_faces_are_followed_more_slowly_than_expressions_after_a_restart_too(cast: Cast) -> None:
+    first = Performer(cast)
+    first.move_pad(FACES, -1.0)
+    first.advance(1.0)
+    first.move_pad(FACES, 1.0)
+    for performer in (Performer.restored(cast, first.snapshot()), first):
+        for _ in range(12):
+            frame = performer.advance(FACE_SECONDS / 12)
+        assert frame.faces["broad"] == pytest.approx(0.9, abs=0.03)
 
 
 def test_a_pad_of_the_whole_face_that_is_taken_up_takes_the_regions_along_and_leaves_them_while_it_is_moved_on(

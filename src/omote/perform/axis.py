@@ -29,7 +29,7 @@ from omote.perform.easing import (
 from omote.perform.frame import CallStatus, with_fields
 from omote.perform.mix import Weights, combine, mix_of_one, normalise, share_in_range
 from omote.perform.pads.blend_space import PadPlace
-from omote.perform.pads.pad_point import PadPoint, point_after, point_at, point_moved, point_rates
+from omote.perform.pads.pad_point import FOLLOW_SECONDS, PadPoint, point_after, point_at, point_moved, point_rates
 
 LEAST_STANDING = 1e-3
 """What weighs less when a mix comes to a stand goes: nobody sees it, and nobody would find it."""
@@ -197,16 +197,25 @@ def moving(mix: Weights, velocity: Weights) -> Axis:
     return Axis(name, Call(name, mix, velocity, DECAY_SECONDS, DEFAULT_EASING, DECAY_SECONDS))
 
 
-def played(axis: Axis, pad: str, place: PadPlace, mix: Weights, seconds: float, easing: str = DEFAULT_EASING) -> Axis:
+def played(
+    axis: Axis,
+    pad: str,
+    place: PadPlace,
+    mix: Weights,
+    seconds: float,
+    easing: str = DEFAULT_EASING,
+    follow: float = FOLLOW_SECONDS,
+) -> Axis:
     """The axis that the point of a pad plays from now on: from whatever shows, at its speed.
 
     pad: its name; place: of the point; mix: what the pad shows there; seconds: in which what shows makes way where
-    another plays, 0 cuts; easing: the curve of that. No T-bar moves such an axis.
+    another plays, 0 cuts; easing: the curve of that; follow: seconds in which the mix is followed. No T-bar moves such
+    an axis.
     """
     if axis.point is not None and axis.point.pad == pad and seconds:
         return with_fields(axis, point=point_moved(axis.point, place, mix))
     taken = called(axis, _heaviest(mix), seconds, easing, dict(mix))
-    return replace(taken, point=point_at(pad, place, mix))
+    return replace(taken, point=point_at(pad, place, mix, follow))
 
 
 def replayed(axis: Axis, pad: str, place: PadPlace, mix: Weights) -> Axis:

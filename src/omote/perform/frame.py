@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal, TypeVar, get_args
+from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
@@ -272,8 +272,7 @@ class LayerStatus:
     sources: tuple[SourceStatus, ...] = ()
 
 
-@dataclass(frozen=True)
-class MacroStatus:
+class MacroStatus(NamedTuple):
     """A macro now: where hands have it, -1 to 1, and how much of it shows, 0 to 1: its condition, and whether a hand
     has moved it since the last panic."""
 

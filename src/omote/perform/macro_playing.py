@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from operator import is_not
 
 from omote.model.known_names import NEUTRAL
 from omote.perform.axis import weights
@@ -42,6 +43,7 @@ from omote.perform.speech_playing import SpeechPlaying
 
 FULL_CHANNEL = (CHANNEL_LOWEST, 1.0)
 """Where the sum of sources of a channel ends; one alone may go beyond, as a fader does."""
+OF_PAD = f"{PAD}/"
 NOTHING_GIVEN: Mapping[str, list[float]] = {}
 NO_PLACES: Mapping[str, float] = {}
 
@@ -240,8 +242,10 @@ class MacroPlaying(SpeechPlaying):
         ----------
         docs/method.md, "Mappings".
         """
-        mapping = self._now.mappings.kept[check_known(name, self._now.mappings.kept, "macro")]
-        self._play(macros=move_macro(self._now.macros, mapping, value, self._reading))
+        kept = self._now.mappings.kept
+        if not (isinstance(name, str) and name in kept):
+            check_known(name, kept, "macro")
+        self._play(macros=move_macro(self._now.macros, kept[name], value, self._reading))
 
     def _change_mappings(self, later: Mappings) -> None:
         """Plays other mappings; what shows goes on."""
@@ -312,7 +316,7 @@ class MacroPlaying(SpeechPlaying):
         if now.macros is not self._given_of:
             self._given_of = now.macros
             given = given_by(now.macros, now.mappings.kept)
-            points = [to for to in given if to.startswith(f"{PAD}/")]
+            points = [to for to in given if to.startswith(OF_PAD)]
             self._places = {to.partition("/")[2]: soft_sum(given.pop(to), *PLACE_RANGE) for to in points}
             self._given = given
         return self._given
@@ -340,7 +344,7 @@ class MacroPlaying(SpeechPlaying):
         now = self._now
         sources = (now.channels, now.head, now.gaze, now.macros, now.mappings)
         before = self._last_sources
-        if len(before) != len(sources) or any(old is not new for old, new in zip(before, sources, strict=True)):
+        if not before or any(map(is_not, before, sources)):
             self._last_sources = sources
             given = self._sources()
             self._last_held = self.held_by_faders if not given else self._with_given(given)
@@ -357,7 +361,9 @@ class MacroPlaying(SpeechPlaying):
             kind, _, name = to.partition("/")
             if kind == CHANNEL:
                 if name in expressions:
-                    channels[name] = soft_sum((channels.get(name, 0.0), *values), *FULL_CHANNEL)
+                    own = channels.get(name, 0.0)
+                    alone = len(values) == 1 and not own  # nearly always: the sum is that
+                    channels[name] = values[0] if alone else soft_sum((own, *values), *FULL_CHANNEL)
             elif kind == HEAD:
                 limit = HEAD_LIMITS[name]
                 head[name] = min(max(soft_sum((head[name], *values), -limit, limit), -limit), limit)

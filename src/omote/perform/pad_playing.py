@@ -10,8 +10,8 @@ from omote.perform.axis import Axis, RegionAxes, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import PadStatus, with_fields
-from omote.perform.pads.blend_space import Pad, PadPlace, fitted
-from omote.perform.pads.pad_point import TAKE_UP_SECONDS
+from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
+from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS, TAKE_UP_SECONDS
 
 NO_PADS: Mapping[str, Pad] = {}
 
@@ -124,9 +124,10 @@ class PadPlaying(CalledMix):
         now = self._now
         mix = self._mix(pad, place)
         pads = {**now.pads, pad.name: place}
+        follow = FACE_SECONDS if pad.part == "face" else FOLLOW_SECONDS
 
         def play(on: Axis) -> Axis:
-            after = axis.played(on, pad.name, place, mix, seconds, easing)
+            after = axis.played(on, pad.name, place, mix, seconds, easing, follow)
             return after if pace is None else axis.with_pace(after, pace)
 
         if pad.part == "face":
@@ -141,8 +142,8 @@ class PadPlaying(CalledMix):
     def _mix(self, pad: Pad, place: PadPlace) -> dict[str, float]:
         """What a pad shows at a place, of what the cast has."""
         if pad.part == "face":
-            return pad.mix_at(place, self._cast.faces, instead=GENERIC)
-        return pad.mix_at(place, self._cast.expressions, instead=NEUTRAL)
+            return mix_of_place(pad, place, self._cast.faces, instead=GENERIC)
+        return mix_of_place(pad, place, self._cast.expressions, instead=NEUTRAL)
 
     def _pad_statuses(self) -> dict[str, PadStatus]:
         """The points that have been moved, by pad."""

@@ -31,6 +31,7 @@ from omote.perform.mappings.macros import NO_MACROS, Macros, channels_given, che
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name
+from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
 from omote.perform.springs.springs import Springs, check_springs
@@ -62,6 +63,7 @@ class Playable(Protocol):
 
 ROUNDING = 1e-6
 """How far sums and ranges may be off after a long show."""
+FOLLOW_LIMITS = (FOLLOW_SECONDS, FACE_SECONDS)
 
 
 @dataclass(frozen=True)
@@ -215,6 +217,9 @@ def check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
         _check_call(axis.call, names, what)
     if axis.point is not None:
         _check_point(axis.point.pad, axis.point.place)
+        check_within(
+            axis.point.seconds, *FOLLOW_LIMITS, f"the time in which the {what}s of a pad are followed (seconds)"
+        )
         for mix in (axis.point.goal, axis.point.first, axis.point.second):
             _check_mix(mix, names, what)
 

@@ -254,6 +254,7 @@ class DeviceMessage(ClientMessage, frozen=True):
         return ()
 
 
+@cache
 def tag_of(kind: type[Message]) -> str:
     """The tag of a kind of message."""
     return str(kind.__struct_config__.tag)
@@ -292,14 +293,26 @@ def check_ranges(message: ClientMessage) -> None:
 
     message: with its declared fields.
     """
-    values = values_of(type(message))
-    channel = next(
-        (f"the channel {getattr(message, name)}" for name, of in values.items() if of.kind == "channel"), None
-    )
-    for name, value in values.items():
+    numbers, channel = _numbers_of(type(message))
+    for name, value in numbers:
         number = getattr(message, name)
-        if number is not None and value.kind in ("number", "seconds", "time") and value.unit != "degrees":
-            check_within(number, value.low, value.high, channel or value.name)
+        if number is None or (type(number) is float and value.low <= number <= value.high):
+            continue  # nearly always
+        check_within(
+            number, value.low, value.high, f"the channel {getattr(message, channel)}" if channel else value.name
+        )
+
+
+@cache
+def _numbers_of(kind: type[ClientMessage]) -> tuple[tuple[tuple[str, Value], ...], str]:
+    """The fields of a kind of command that have a range, and the one that names a channel, "" where none does."""
+    values = values_of(kind)
+    numbers = tuple(
+        (name, value)
+        for name, value in values.items()
+        if value.kind in ("number", "seconds", "time") and value.unit != "degrees"
+    )
+    return numbers, next((name for name, value in values.items() if value.kind == "channel"), "")
 
 
 def called_names(cast: Playable) -> dict[str, Mapping[str, object]]:
@@ -307,17 +320,27 @@ def called_names(cast: Playable) -> dict[str, Mapping[str, object]]:
     return {"face": cast.faces, "expression": cast.expressions, "channel": cast.expressions, "light": LIGHTS}
 
 
+@cache
+def _called_by(kind: type[ClientMessage]) -> tuple[tuple[str, str], ...]:
+    """The fields of a kind of command that may call something of the cast by its label, with the kinds of that."""
+    kinds = ("face", "expression", "channel")
+    return tuple((name, value.kind) for name, value in values_of(kind).items() if value.kind in kinds)
+
+
 def call_by_name(message: Declared, cast: Playable) -> Declared:
     """The command with the names of faces, expressions and channels that it calls by their labels; one that names none
     is as it was, and what plays it says so. message: as it was sent; cast: what can be called."""
+    called = _called_by(type(message))
+    if not called:
+        return message
+    names = called_names(cast)
     meant = {}
-    for name, value in values_of(type(message)).items():
+    for name, kind in called:
         typed = getattr(message, name)
-        names = called_names(cast).get(value.kind)
-        if names is None or names is LIGHTS or not isinstance(typed, str) or typed in names:
+        if not isinstance(typed, str) or typed in names[kind]:
             continue
         with suppress(ValueError):
-            meant[name] = find_called(typed, value.kind, cast)
+            meant[name] = find_called(typed, kind, cast)
     return msgspec.structs.replace(message, **meant) if meant else message
 
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 
 import msgspec
 
@@ -214,21 +213,22 @@ class ShowSession:
             return []  # a retry or a bouncing key
         message = self.sounds.by_key(call_by_name(message, self.cast))
         unseen = message.follows_bus and self.members.looks_at(who) == "preview"
+        characters = () if unseen else find_addressed(self.scene, message)
         if not unseen:
-            self._pass_hands(who, message, find_addressed(self.scene, message), now)
+            self._pass_hands(who, message, characters, now)
         touched = {} if unseen or not self.learning.is_learner(who) else self.learning.positions(message)
         answers = self.act(who, message, now, unseen=unseen)
         if touched:
             self.learning.touch(message, touched, now)
         self.commands += message.open_to == "consoles"
-        self._echo(who, message, now, unseen=unseen)
+        self._echo(who, message, characters, now, unseen=unseen)
         return list(answers)
 
     def act(self, who: str, message: ClientMessage, now: float, *, unseen: bool = False) -> Sequence[Outgoing]:
         """Does what a message asks for that the gates have let through, and notes it; Refusal where it cannot be done.
         who: the client; message: with the names of what it calls; now: seconds, monotonic; unseen: in preview, of
         which no recording is made."""
-        with refuse_errors(message):
+        with RefusedErrors(message):
             check_ranges(message)
             answers = message.act(self.preview.session(self) if unseen else self, who, now)
         if message.recorded and not unseen:
@@ -249,15 +249,16 @@ class ShowSession:
         try:
             self.leasing.check(who, message, characters)
         except HeldByOthersRefusal:
-            with refuse_errors(message):
+            with RefusedErrors(message):
                 message.check_names(self)  # nobody is asked for parts for the sake of what there is not
             raise
 
-    def _echo(self, who: str, message: ClientMessage, now: float, *, unseen: bool) -> None:
+    def _echo(self, who: str, message: ClientMessage, characters: Sequence[str], now: float, *, unseen: bool) -> None:
         """What follows from a message that was obeyed: others see the hand, its part is held, unless it was unseen; its
-        id is executed."""
+        id is executed. characters: whom it was for."""
         if not unseen:
-            characters = find_addressed(self.scene, message)
+            if message.hand is None:
+                characters = find_addressed(self.scene, message)  # there may be others since
             self._hands.note(who, message, characters, now)
             self.leasing.note(who, message, characters)
         call = id_of(message)
@@ -563,15 +564,20 @@ def id_of(message: ClientMessage) -> str:
     return call if message.once else ""
 
 
-@contextmanager
-def refuse_errors(message: ClientMessage) -> Iterator[None]:
-    """What cannot be done of a message is a Refusal that says why."""
-    try:
-        yield
-    except Refusal:
-        raise
-    except (ValueError, TypeError) as error:
-        raise Refusal(f"{error}. Nothing has changed.{reload_hint(message)}") from error
+class RefusedErrors:
+    """What cannot be done of a message is a Refusal that says why. A class, for a generator takes longer to enter than
+    most messages to act."""
+
+    def __init__(self, message: ClientMessage) -> None:
+        self._message = message
+
+    def __enter__(self) -> None:
+        """Begins to do what the message asks for."""
+
+    def __exit__(self, _: object, error: BaseException | None, __: object) -> None:
+        """Raises the Refusal where it could not be done."""
+        if isinstance(error, (ValueError, TypeError)) and not isinstance(error, Refusal):
+            raise Refusal(f"{error}. Nothing has changed.{reload_hint(self._message)}") from error
 
 
 def reload_hint(message: ClientMessage) -> str:

@@ -8,7 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.mappings.macros import follow_pair
+from omote.perform.mappings.kept_mappings import ByName
+from omote.perform.mappings.macros import NO_MACROS, check_macros, follow_change, follow_pair, move_macro
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 
 SECONDS = st.sampled_from([0.05, 0.1, 0.5, 2.0])
 STEP = 1e-3
@@ -45,3 +47,12 @@ def test_no_seconds_are_at_once_and_each_way_has_its_own() -> None:
     risen = follow_pair((0.7, 0.7), 0.0, 0.0, 0.5, 1 / 60)
     assert 0.0 < risen[1] < 0.7
     assert follow_pair((0.0, 0.0), 1.0, 0.2, 0.2, 0.2)[1] == pytest.approx(0.9, abs=0.02)
+
+
+def test_a_rename_and_another_change_at_once_keep_what_each_macro_gives() -> None:
+    # the mappings of air reach the preview after several changes
+    jaw, lip = (MacroTarget(f"channel/{name}") for name in ("jawOpen", "mouthPucker"))
+    before: ByName = {"m1": MacroMapping("m1", (jaw,)), "m2": MacroMapping("m2", (jaw,))}
+    after: ByName = {"m1": MacroMapping("m1", (jaw, lip)), "m3": MacroMapping("m3", (jaw,))}
+    macros = move_macro(NO_MACROS, before["m1"], 0.5, lambda _: 0.0)
+    check_macros(follow_change(macros, before, after), after)

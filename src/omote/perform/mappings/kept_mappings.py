@@ -57,9 +57,9 @@ def with_renamed(mappings: Mappings, name: str, to: str, key: str) -> Mappings:
     others = [other for other in mappings.kept if other != name]
     check_free(check_macro_name(to), others, "macro")
     read = {
-        other: replace(each, when=replace(each.when, reads=READS_MACRO + to))
+        other: later
         for other, each in mappings.kept.items()
-        if other != name and each.when is not None and each.when.reads == READS_MACRO + name
+        if other != name and (later := _reading(each, name, to)) is not each
     }
     return with_change(mappings, {name: None, to: mapping.with_name(to), **read} if to != name else {}, key or name)
 
@@ -92,7 +92,8 @@ def with_change(mappings: Mappings, change: Change, key: str) -> Mappings:
 
 
 def renaming_in(before: ByName, after: ByName) -> tuple[str, str] | None:
-    """The old and the new name, where all that differs is that one mapping is called otherwise; None elsewhere.
+    """The old and the new name, where all that differs is that one mapping is called otherwise, in the conditions of
+    others too; None elsewhere.
 
     before, after: mappings by name.
     """
@@ -100,7 +101,17 @@ def renaming_in(before: ByName, after: ByName) -> tuple[str, str] | None:
     new = [name for name in after if name not in before]
     if len(gone) != 1 or len(new) != 1 or before[gone[0]].with_name(new[0]) != after[new[0]]:
         return None
-    return gone[0], new[0]
+    (old,), (to,) = gone, new
+    same = all(after[other] == _reading(each, old, to) for other, each in before.items() if other != old)
+    return (old, to) if same else None
+
+
+def _reading(mapping: MacroMapping, name: str, to: str) -> MacroMapping:
+    """A mapping whose condition reads a macro by its new name. name: of that macro before; to: from now on."""
+    when = mapping.when
+    if when is None or when.reads != READS_MACRO + name:
+        return mapping
+    return replace(mapping, when=replace(when, reads=READS_MACRO + to))
 
 
 def _after(kept: ByName, change: Change) -> dict[str, MacroMapping]:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from omote.perform.frame import MacroStatus, with_fields
-from omote.perform.layers.follower import LONGEST_STEP, NEAR, rate_of, steps_of
+from omote.perform.layers.follower import LONGEST_STEP, NEAR, steps_of
 from omote.perform.limits import check_known, check_within
 from omote.perform.mappings.kept_mappings import ByName, renaming_in
 from omote.perform.mappings.mapping import (
@@ -21,7 +21,9 @@ from omote.perform.mappings.mapping import (
     MacroMapping,
     MacroTarget,
     range_of,
+    rate_or_none,
 )
+from omote.perform.mappings.monotone_curve import value_of
 
 GATE_SECONDS = 0.2
 """In which a macro whose condition opens or shuts has gone nine tenths of the way."""
@@ -54,6 +56,7 @@ class Macros:
 
 
 NO_MACROS = Macros()
+NOTHING_FADES: Mapping[str, Pair] = {}
 Read = Callable[[MacroCondition], float]
 
 
@@ -62,7 +65,8 @@ def move_macro(macros: Macros, mapping: MacroMapping, value: float, read: Read) 
 
     mapping: of it; value: -1 to 1; read: what a condition reads now.
     """
-    value = check_within(value, *MACRO_LIMITS, f"the macro {mapping.name}")
+    if not (type(value) is float and -1.0 <= value <= 1.0):  # nearly never, and names take as long as all else
+        value = check_within(value, *MACRO_LIMITS, f"the macro {mapping.name}")
     before = macros.moved.get(mapping.name)
     if before is not None:
         state = with_fields(before, value=value)
@@ -70,7 +74,7 @@ def move_macro(macros: Macros, mapping: MacroMapping, value: float, read: Read) 
         opens = mapping.when is None or mapping.when.opens(read(mapping.when), was_open=False)
         gate = OPEN if opens and mapping.is_nothing_at_rest else SHUT
         state = MacroState(value, opens, gate, tuple((target.low, target.low) for target in mapping.targets))
-    return Macros({**macros.moved, mapping.name: state}, macros.fading)
+    return with_fields(macros, moved={**macros.moved, mapping.name: state})
 
 
 def advance_macros(macros: Macros, mappings: ByName, read: Read, dt: float) -> Macros:
@@ -107,15 +111,17 @@ def _advanced(state: MacroState, mapping: MacroMapping, read: Read, dt: float) -
     if gate[1] != goal or gate[0] != goal:
         gate = follow_pair(gate, goal, GATE_SECONDS, GATE_SECONDS, dt)
     value = state.value
+    at = abs(value)
     moves = opens is not state.open or gate is not state.gate
     given = []
-    for target, pair in zip(mapping.targets, state.given, strict=True):
-        wanted = target.value_at(value)
+    follow = _stepped if 0.0 < dt <= LONGEST_STEP else _followed  # nearly always one step
+    for (low, span, pieces, rise, fall), pair in zip(mapping.halves[value < 0.0], state.given, strict=True):
+        wanted = low if span is None else low + span * value_of(pieces, at)
         if pair[1] != wanted or pair[0] != wanted:
             moves = True
-            pair = follow_pair(pair, wanted, target.rise, target.fall, dt)
+            pair = follow(pair, wanted, rise, fall, dt)
         given.append(pair)
-    return MacroState(value, opens, gate, tuple(given)) if moves else state
+    return with_fields(state, open=opens, gate=gate, given=tuple(given)) if moves else state
 
 
 def _faded(fading: Mapping[str, Mapping[str, Pair]], dt: float) -> dict[str, dict[str, Pair]]:
@@ -136,6 +142,11 @@ def follow_pair(pair: Pair, goal: float, rise: float, fall: float, dt: float) ->
 
     pair: what they give; goal: where they go; rise, fall: seconds for nine tenths of a step, 0 at once; dt: seconds.
     """
+    return _followed(pair, goal, rate_or_none(rise), rate_or_none(fall), dt)
+
+
+def _followed(pair: Pair, goal: float, rise: float, fall: float, dt: float) -> Pair:
+    """The same by the rates of a rise and of a fall, 1/s; 0 at once."""
     for step in (dt,) if 0.0 < dt <= LONGEST_STEP else _steps(dt):
         pair = _stepped(pair, goal, rise, fall, step)
     return pair
@@ -147,32 +158,29 @@ def _steps(dt: float) -> Iterator[float]:
 
 
 def _stepped(pair: Pair, goal: float, rise: float, fall: float, dt: float) -> Pair:
-    """One step: of the first filter what is left of its distance, of the second what both leave of it."""
+    """One step: of the first filter what is left of its distance, of the second what both leave of it; what is near
+    its goal is there."""
     first, second = pair
+    ahead = first - goal
     lead = rise if goal > first else fall
-    if lead == 0.0:
-        before = goal
-        share = 0.0
-        z = 0.0
-    else:
-        z = rate_of(lead) * dt
+    if lead:
+        z = lead * dt
         share = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
         before = first
+    else:
+        z = share = 0.0
+        before = goal
     behind = rise if (before if before != second else goal) > second else fall
-    later_first = goal + (first - goal) * share
-    if behind == 0.0:
-        return _rested(later_first, later_first, goal)
-    y = rate_of(behind) * dt
-    left = 1.0 / (1.0 + y * (1.0 + y * (0.48 + y * 0.235)))
-    later_second = goal + (second - goal) * left
-    if share:
-        chord = 1.0 + 0.48 * (z + y) + 0.235 * (z * z + z * y + y * y)
-        later_second += (first - goal) * y * chord * share * left
-    return _rested(later_first, later_second, goal)
-
-
-def _rested(first: float, second: float, goal: float) -> Pair:
-    """What is near its goal is there."""
+    first = goal + ahead * share
+    if behind:
+        y = behind * dt
+        left = 1.0 / (1.0 + y * (1.0 + y * (0.48 + y * 0.235)))
+        second = goal + (second - goal) * left
+        if share:
+            chord = 1.0 + 0.48 * (z + y) + 0.235 * (z * z + z * y + y * y)
+            second += ahead * y * chord * share * left
+    else:
+        second = first
     return (goal, goal) if abs(first - goal) + abs(second - goal) < NEAR else (first, second)
 
 
@@ -185,13 +193,15 @@ def given_by(macros: Macros, mappings: ByName) -> dict[str, list[float]]:
     fading = macros.fading
     for name, state in macros.moved.items():
         share = state.gate[1]
-        leaving = fading.get(name, {})
-        for target, pair in zip(mappings[name].targets, state.given, strict=True):
-            value = pair[1] * share + (leaving[target.to][1] if target.to in leaving else 0.0)
+        leaving = fading.get(name, NOTHING_FADES)
+        for to, pair in zip(mappings[name].reached, state.given, strict=True):
+            value = pair[1] * share
+            if to in leaving:
+                value += leaving[to][1]
             if value:
-                sources.setdefault(target.to, []).append(value)
+                sources.setdefault(to, []).append(value)
     for name, leaving in fading.items():
-        own = {target.to for target in mappings[name].targets} if name in macros.moved else ()
+        own = mappings[name].reached if name in macros.moved else ()
         for to, pair in leaving.items():
             if to not in own:
                 sources.setdefault(to, []).append(pair[1])

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, get_args
 
+from omote.perform.layers.follower import rate_of
 from omote.perform.limits import (
     CHANNEL_HIGHEST,
     CHANNEL_LOWEST,
@@ -38,6 +39,11 @@ IN_ADDRESSES = "/*?[]{}# ,"
 """What no name of a macro has: its address of OSC is made of it."""
 _ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
 """Radians either way."""
+
+
+Half = tuple[float, float | None, Pieces, float, float]
+"""Of a target: what it gives in the middle, how far it goes from there (None: it stays), by which curve, and the rates
+(1/s) of its rise and its fall, 0 at once."""
 
 
 @dataclass(frozen=True)
@@ -168,6 +174,13 @@ class MacroTarget:
             return low + (self.high - low) * value_of(self._pieces, macro)
         below = self.below
         return low if below is None else low + (below.high - low) * value_of(self._pieces_below, -macro)
+
+    @cached_property
+    def halves(self) -> tuple[Half, Half]:
+        """What it gives from the middle up, and below: worked out once, for hands move it each tick."""
+        rates = rate_or_none(self.rise), rate_or_none(self.fall)
+        below = None if self.below is None else self.below.high - self.low
+        return (self.low, self.high - self.low, self._pieces, *rates), (self.low, below, self._pieces_below, *rates)
 
     @cached_property
     def _pieces(self) -> Pieces:
@@ -321,6 +334,17 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
+    def reached(self) -> tuple[str, ...]:
+        """What it plays, in the order of its targets."""
+        return tuple(target.to for target in self.targets)
+
+    @cached_property
+    def halves(self) -> tuple[tuple[Half, ...], tuple[Half, ...]]:
+        """The halves of its targets from the middle up, and those below."""
+        above, below = zip(*(target.halves for target in self.targets), strict=True)
+        return above, below
+
+    @cached_property
     def plays_pads(self) -> bool:
         """Whether it moves the point of a pad."""
         return any(target.place[0] == PAD for target in self.targets)
@@ -370,6 +394,11 @@ def range_of(to: object) -> tuple[float, float]:
             f"{GAZE}/{'|'.join(GAZE_LIMITS)} or {PAD}/NAME/{'|'.join(AXES)}"
         )
     return -limit, limit
+
+
+def rate_or_none(seconds: float) -> float:
+    """The rate (1/s) of a follower of so many seconds; 0 for one that is there at once."""
+    return rate_of(seconds) if seconds else 0.0
 
 
 def fitted(to: str, value: float) -> float:

@@ -61,8 +61,9 @@ def curve_at(knots: Knots, at: float) -> float:
 
 def value_of(pieces: Pieces, at: float) -> float:
     """What a curve of some pieces gives where the hand is at some place, 0 to 1; none are a straight line."""
-    for end, begin, per_width, constant, first, second, third, low, high in pieces:
-        if at < end:
+    for piece in pieces:
+        if at < piece[0]:
+            _, begin, per_width, constant, first, second, third, low, high = piece
             part = (at - begin) * per_width
             gives = constant + part * (first + part * (second + part * third))
             return low if gives < low else min(gives, high)

@@ -207,11 +207,7 @@ class Pad:
         >>> omote.Pad("mood", "expression", 1, looks).mix_at((-1,), cast.expressions, instead="neutral")
         {'neutral': 1.0}
         """
-        weights = self._weights(self.check_place(place))
-        mix = combine([(weight, look.mix) for weight, look in zip(weights, self.looks, strict=True) if weight])
-        if known is None or all(name in known for name in mix):
-            return mix
-        return combine((1.0, {name if name in known else instead: weight}) for name, weight in mix.items())
+        return mix_of_place(self, self.check_place(place), known, instead=instead)
 
     def check_place(self, place: Sequence[float]) -> PadPlace:
         """Returns a place of this pad.
@@ -306,6 +302,10 @@ class Pad:
         return list(dict.fromkeys(name for look in self.looks for name in look.mix if name not in known))
 
     @cached_property
+    def _mixes(self) -> tuple[Weights, ...]:
+        return tuple(look.mix for look in self.looks)
+
+    @cached_property
     def _places(self) -> Values:
         """The places of the looks (n, 3); a dimension that the pad does not have is 0."""
         places = np.zeros((len(self.looks), len(AXES)))
@@ -319,6 +319,17 @@ class Pad:
         _soft_bands()(self._places, x, y, z, out)
         weights: list[float] = out.tolist()
         return weights
+
+
+def mix_of_place(
+    pad: Pad, place: PadPlace, known: Container[str] | None = None, *, instead: str = ""
+) -> dict[str, float]:
+    """The mixture of the looks of a pad at a place of it, as of `Pad.mix_at`. place: checked; known: the names that
+    there are; instead: what others count as."""
+    mix = combine(zip(pad._weights(place), pad._mixes, strict=True))
+    if known is None or not any(name not in known for name in mix):
+        return mix
+    return combine((1.0, {name if name in known else instead: weight}) for name, weight in mix.items())
 
 
 @cache

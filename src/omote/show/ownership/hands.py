@@ -96,14 +96,10 @@ class Panics:
         """Forgets a character that is gone: a new one may have its name."""
         self._pressed.pop(character, None)
 
-    def any_late(self, now: float) -> bool:
-        """Whether any character still comes to rest."""
-        return any(now - at < PANIC_SECONDS for _, at in self._pressed.values())
-
     def refuse_late(self, who: str, message: ClientMessage, characters: Iterable[str], now: float) -> None:
         """Rejects what a hand at another console sent before that page could know of a panic: it would undo it. who:
         the client; message: what it sent; characters: whom that is for; now: seconds."""
-        if self.any_late(now) and message.hand == "plays" and self.is_late(who, characters, now):
+        if self._pressed and message.hand == "plays" and self.is_late(who, characters, now):
             raise Refusal("panic was pressed at another console: all hands are off; take the control again.")
 
     def is_late(self, who: str, characters: Iterable[str], now: float) -> bool:

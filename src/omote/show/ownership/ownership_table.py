@@ -140,7 +140,9 @@ class OwnershipTable:
         self._oldest_move = min(self._oldest_move, now)
         is_news = False
         for control in controls:
-            movers = self.moved.setdefault(control, {})
+            movers = self.moved.get(control)
+            if movers is None:
+                movers = self.moved[control] = {}
             is_news = is_news or len(movers) != 1 or who not in movers
             movers[who] = now
         return is_news

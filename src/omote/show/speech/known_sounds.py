@@ -11,6 +11,7 @@ from omote.show.declaration import ClientMessage
 from omote.show.objects.speech import PlaySound, Say
 
 Sounding = TypeVar("Sounding", Say, PlaySound)
+WITH_SOUND = (Say, PlaySound)
 
 NO_SOUND = "there is no sound"
 """How the reason begins that a speech is rejected for, where its sound is not there."""
@@ -55,7 +56,7 @@ class KnownSounds:
 
     def by_key(self, message: ClientMessage) -> ClientMessage:
         """A message with the key of its sound instead of its name: a recording needs no names."""
-        if not isinstance(message, Say | PlaySound) or not message.sound:
+        if not isinstance(message, WITH_SOUND) or not message.sound:
             return message
         key = self.find(message.sound)
         return message if key in (None, message.sound) else structs.replace(message, sound=key)
