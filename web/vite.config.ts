@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { defineConfig, type Plugin } from "vite";
-import { faceMeshAssets } from "./tools/face_mesh_assets.ts";
+import { mediapipeAssets } from "./tools/mediapipe_assets.ts";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
 const PAGES = [
@@ -31,9 +31,9 @@ const toolHead: Plugin = {
 
 export default defineConfig({
   base: "/",
-  plugins: [toolHead, faceMeshAssets("pages")],
+  plugins: [toolHead, ...mediapipeAssets("pages")],
   worker: {
-    plugins: () => [faceMeshAssets("worker")],
+    plugins: () => mediapipeAssets("worker"),
     // The server gives this folder, and no other, the right to compile WebAssembly.
     rolldownOptions: { output: { entryFileNames: "static/wasm_workers/[name]-[hash].js" } },
   },

@@ -1,6 +1,6 @@
 // Three functions of Emscripten's embind as closures. The originals make functions from strings, which a page may do
 // only with 'unsafe-eval'. The build puts these into the glue of MediaPipe in place of those of the same names
-// (face_mesh_assets.ts); all that they call is the glue's own.
+// (mediapipe_assets.ts); all that they call is the glue's own.
 
 export function createNamedFunction(name, body) {
   const named = function (...given) {

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from omote.inputs.osc_addresses import VMC_ROOT
 from omote.inputs.osc_feedback import Feedback, tell_state
+from omote.inputs.osc_hands import OscHands
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
 from omote.inputs.rejection import Rejection
@@ -46,10 +47,10 @@ class Surface:
 class OscInput:
     """Carries out on a session what packets ask for, and tells surfaces that subscribed what is on air.
 
-    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message; alike: how many
-    in a row had its address. kind: sets its senders apart from others in the session; title: stands before a sender's
-    host where consoles show it; seat_of: the seat for which a host plays, "" for its own; port_of: where a tracker's
-    protocol is heard, None where it is not.
+    hands: what hands it heard, until they are taken. heard, rejected: counts of messages; last_rejection: the newest of
+    these; newest: the last message; alike: how many in a row had its address. kind: sets its senders apart from others
+    in the session; title: stands before a sender's host where consoles show it; seat_of: the seat for which a host
+    plays, "" for its own; port_of: where a tracker's protocol is heard, None where it is not.
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
@@ -62,6 +63,7 @@ class OscInput:
         self.seat_of: Callable[[str], str] = lambda _: ""
         self.port_of: Callable[[str], int | None] = lambda _: None
         self._reader: OrderReader | None = None
+        self.hands = OscHands()
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
         self.newest: tuple[Endpoint, OscMessage] | None = None
@@ -236,6 +238,8 @@ class OscInput:
     def _order(self, place: Endpoint, message: OscMessage, now: float) -> list[tuple[Endpoint, bytes]]:
         if message.address.startswith(VMC_ROOT):
             raise OscError(self._explain_tracker("vmc"))
+        if self.hands.hear(message, place[0], self._session().scene.labels):
+            return []
         orders = self._reader_of(self._session()).read(message, self.next_call())
         if not orders:
             return []

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from omote.inputs.bindings.binding_document import decode_stored
 from omote.inputs.page_devices.page_devices import MOST_DEVICES, TOLD_TICKS
+from omote.inputs.reading import Reading
 from omote.show.declaration import Outgoing
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.bindings import (
@@ -388,3 +389,34 @@ def test_a_binding_whose_character_has_gone_is_marked_with_the_reason_until_it_i
     assert told.missing == ["", ""]
     room.say("a", midi("b0 07 7f"))
     assert room.session.tick(room.now).characters["two"].channels == {"jawOpen": 1.0}
+
+
+def test_a_hand_by_osc_is_a_device_that_is_learned_and_goes_when_it_is_silent() -> None:
+    room = Room()
+    hand = "Hand one right"
+
+    def move(**axes: float) -> list[Any]:
+        readings = [("10.0.0.9", Reading(hand, axis, value)) for axis, value in axes.items()]
+        return [each.message for each in room.devices.play_hands(readings, room.now)]
+
+    def jaw() -> float:
+        return room.session.tick(room.now).characters["one"].channels.get("jawOpen", 0.0)
+
+    move(opening=0.9, curl1=0.5)
+    room.say("a", Learn("l1", JAW, "", []))
+    learned: list[Any] = []
+    for step in range(8):
+        learned += move(opening=0.1 * step, curl1=0.5 + 0.01 * step)
+    ((binding,),) = [each.added for each in learned if isinstance(each, BindingsChanged)]
+    assert (binding.device, binding.control, binding.pick_up) == (hand, "opening", False)
+    move(opening=0.25)
+    room.now += 1.0
+    assert jaw() == pytest.approx(0.25, abs=1e-3)
+    states = {each.name: each for each in room.devices.devices_now(room.now).devices}
+    assert (states[hand].kind, states[hand].where, states[hand].plugged) == ("osc", "OSC 10.0.0.9", True)
+    room.now += 5.0
+    room.tick()
+    assert not {each.name: each for each in room.devices.devices_now(room.now).devices}[hand].plugged
+    move(opening=0.8)
+    room.now += 1.0
+    assert jaw() == pytest.approx(0.8, abs=1e-3)

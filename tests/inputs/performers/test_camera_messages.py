@@ -11,6 +11,8 @@ def test_every_message_comes_back_and_is_no_frame() -> None:
     for message in (
         wire.Perform(1, "Ada"),
         wire.PlayCharacters(["one"]),
+        wire.HandFrame(1.5, True, {"jawOpen": 0.5}, (0.1, 0.0, -0.1)),
+        wire.PlayHand(["one"], ["mouth", "head"]),
         wire.BeginGuide(),
         wire.RedoStep("aa"),
         wire.UseFaces(),
@@ -25,7 +27,15 @@ def test_messages_have_names_of_their_own() -> None:
     assert len(set(tags)) == len(tags)
 
 
-@pytest.mark.parametrize("document", [{"type": "perform", "name": 1}, {"type": "dance"}, {"type": "redo_step"}])
+@pytest.mark.parametrize(
+    "document",
+    [
+        {"type": "perform", "name": 1},
+        {"type": "dance"},
+        {"type": "redo_step"},
+        {"type": "play_hand", "characters": ["one"], "regions": ["ear"]},
+    ],
+)
 def test_what_is_no_message_is_rejected(document: dict[str, object]) -> None:
     with pytest.raises(msgspec.ValidationError):
         msgspec.msgpack.decode(msgspec.msgpack.encode(document), type=wire.FromCamera)

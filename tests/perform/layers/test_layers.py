@@ -408,6 +408,45 @@ def test_what_comes_back_elsewhere_after_a_gap_is_no_jump(cast: Cast) -> None:
     assert np.abs(np.diff(shown, 2)).max() < 0.08
 
 
+HEAD_STEP = math.radians(20.0)
+"""By how much a head's speed may change in a tick, radians a second: what a turn of 30 degrees, once a second, does."""
+
+
+@pytest.mark.parametrize("rate", [10, 20, 60])
+@pytest.mark.parametrize("gap", [0.3, 0.45, 0.6, 0.8, 1.0, 1.4, 3.0])
+def test_a_head_that_comes_back_elsewhere_is_followed_slowly(cast: Cast, gap: float, rate: int) -> None:
+    performer = Performer(cast)
+    every = round(1.0 / rate / DT)
+    yaws = list[float]()
+
+    def see(seconds: float, yaw: float) -> None:
+        for n in range(round(seconds / DT)):
+            if n % every == 0:
+                performer.drive({"jawOpen": 0.0}, head=(yaw, 0.0, 0.0))
+            yaws.append(performer.advance(DT).head.yaw)
+
+    see(4.0, 0.0)
+    yaws += [frame.head.yaw for frame in played(cast, performer, gap)]
+    see(3.0, math.radians(29.0))
+    speeds = np.diff(yaws) / DT
+    assert np.abs(np.diff(speeds)).max() < HEAD_STEP
+    assert yaws[-60] == pytest.approx(math.radians(29.0), rel=0.02), "two seconds later it is there"
+
+
+def test_a_head_that_plays_on_is_followed_as_ever(cast: Cast) -> None:
+    performer = Performer(cast)
+    for n in range(120):
+        if n % 6 == 0:
+            performer.drive({}, head=(0.0, 0.0, 0.0))
+        performer.advance(DT)
+    shown = []
+    for n in range(30):
+        if n % 6 == 0:  # ten frames a second are no gap
+            performer.drive({}, head=(0.4, 0.0, 0.0))
+        shown.append(performer.advance(DT).head.yaw)
+    assert shown[8] > 0.85 * 0.4
+
+
 def test_a_hand_is_immediate_where_nothing_plays(cast: Cast) -> None:
     layers = hold_by(cast, begin(cast, Held()), Held({"jawOpen": 0.5}))
     place = layers.columns.index["jawOpen"]

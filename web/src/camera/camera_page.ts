@@ -4,12 +4,16 @@ import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { drawLandmarks } from "../face_mesh/landmark_drawing";
 import type { Landmarks } from "../face_mesh/landmark_messages";
+import { drawHands } from "../hands/hand_drawing";
+import type { Hands } from "../hands/hand_messages";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette, toolPage } from "../ui/theme";
 import { textOf, whileShown } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
 import { cameraPageStyle } from "./camera_page_style";
 import "./guide_view";
+import "./hand_guide_view";
+import "./hand_panel";
 import "./performer_panel";
 
 /** Bars of what the face is read as: the rest would not be read. */
@@ -24,10 +28,29 @@ export class CameraPage extends CameraElement {
     this.count += 1;
   }
 
-  /** Draws the landmarks of a picture. */
-  draw(landmarks: Landmarks): void {
+  /** Draws what is found in pictures: the newest face and the newest hands. */
+  readonly drawing = {
+    face: (landmarks: Landmarks): void => {
+      this.#face = landmarks;
+      this.#draw();
+    },
+    hands: (hands: Hands, playing: number): void => {
+      this.#hands = [hands, playing];
+      this.#draw();
+    },
+  };
+  #face: Landmarks | null = null;
+  #hands: [Hands, number] | null = null;
+
+  #draw(): void {
     const canvas = this.renderRoot.querySelector("canvas");
-    if (canvas) drawLandmarks(canvas, landmarks);
+    const { tracked } = this.session;
+    const size = this.#hands?.[0] ?? this.#face;
+    if (canvas === null || size === null) return;
+    const face = tracked === "hand" ? null : this.#face;
+    drawLandmarks(canvas, face ?? { ...size, points: new Float32Array(), light: 0 });
+    const context = canvas.getContext("2d");
+    if (context !== null && this.#hands !== null && tracked !== "face") drawHands(context, ...this.#hands);
   }
 
   constructor() {
@@ -37,19 +60,23 @@ export class CameraPage extends CameraElement {
 
   override render() {
     const { session, count } = this;
-    const asked = session.status === null ? session.model.kind === "loading" : session.status.guide;
+    const byFace = session.tracked !== "hand";
+    const asked = byFace && (session.status === null ? session.model.kind === "loading" : session.status.guide);
     const awaited = session.trouble === null && asked; // the picture keeps its size when loading ends
-    const [guided, offered] = [session.model.kind === "ready" && awaited, session.status?.unused];
+    const [guided, offered] = [session.model.kind === "ready" && awaited, byFace && session.status?.unused];
+    const minute = session.hand.minute !== null;
     return html`${this.#header()}
       <main>
         <div class="left">
-          <figure class=${awaited || offered ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <figure class=${awaited || offered || minute ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
           <omote-guide ?hidden=${!guided && !offered} .session=${session} .count=${count}></omote-guide>
+          <omote-hand-guide ?hidden=${!minute} .session=${session} .count=${count}></omote-hand-guide>
           ${this.#health()}
         </div>
         <div class="right">
           <omote-performer .session=${session} .count=${count}></omote-performer>
-          ${this.#bars()}
+          <omote-hand .session=${session} .count=${count}></omote-hand>
+          ${byFace ? this.#bars() : nothing}
         </div>
       </main>`;
   }
@@ -80,7 +107,7 @@ export class CameraPage extends CameraElement {
         <button @click=${() => this.session.perform(name)}>Take it back</button></span>`;
     }
     if (online && noPicture) {
-      return html`<span class="waiting" role="status">${trouble ? "No camera" : noPicture}: the show gets no face</span>`;
+      return html`<span class="waiting" role="status">${trouble ? "No camera" : noPicture}: the show gets no ${this.session.tracked === "hand" ? "hand" : "face"}</span>`;
     }
     if (online) return html`<span class="online" role="status">The show hears you</span>`;
     return html`<span class="lost" role="alert">No link to the show – trying again</span>`;
@@ -88,13 +115,14 @@ export class CameraPage extends CameraElement {
 
   /** What lies over the picture while there is none. */
   #cover() {
-    const { trouble, model, device } = this.session;
+    const { trouble, device, tracked, hand } = this.session;
+    const model = tracked === "hand" && hand.model !== null ? hand.model : this.session.model;
     if (trouble) {
       return html`<div class="cover" role="alert"><h2>${trouble.title}</h2><p>${trouble.advice}</p>
         <button @click=${() => this.session.choose(device)}>Try again</button></div>`;
     }
     if (model.kind === "failed") {
-      return html`<div class="cover" role="alert"><h2>The face model does not run here</h2>
+      return html`<div class="cover" role="alert"><h2>The ${tracked === "hand" ? "hand" : "face"} model does not run here</h2>
         <p>${model.reason}. Load the page again; a current Chrome, Edge, Firefox or Safari can.</p></div>`;
     }
     if (model.kind === "loading") {
@@ -105,7 +133,8 @@ export class CameraPage extends CameraElement {
   }
 
   #health() {
-    const { health, model, noPicture } = this.session;
+    const { health, model, noPicture, tracked } = this.session;
+    if (tracked === "hand") return nothing;
     const where = model.kind === "ready" && !noPicture ? `${model.backend}, ${model.cost.toFixed(0)} ms` : "";
     return html`<ul class="health" aria-label="Health">${health.map(
       ({ what, good, advice }) => html`<li class=${good ? "good" : "bad"}><b>${what}</b> ${advice}</li>`,
@@ -122,8 +151,11 @@ export class CameraPage extends CameraElement {
   }
 
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {
-    if (typing || event.key !== "Escape" || (this.session.status?.guide?.of ?? 0) < 2) return;
+    if (typing || event.key !== "Escape") return;
+    const { hand, status } = this.session;
+    if (hand.minute === null && (status?.guide?.of ?? 0) < 2) return;
     event.preventDefault();
-    this.session.send({ type: "cancel_guide" });
+    if (hand.minute !== null) hand.cancelMinute();
+    else this.session.send({ type: "cancel_guide" });
   };
 }

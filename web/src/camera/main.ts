@@ -1,8 +1,9 @@
-/** The camera page: a performer's face, found in the browser, plays characters of the show. */
+/** The camera page: a performer's face and hand, found in the browser, play characters of the show. */
 
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
 import { openLandmarkWorker, warmUpPicture } from "../face_mesh/landmark_client";
+import { openHandWorker, warmUpHandPicture } from "../hands/hand_client";
 import { onFileDrop } from "../ui/file_import";
 import { CameraPage } from "./camera_page";
 import { guestName } from "./guest_name";
@@ -10,16 +11,17 @@ import { CameraSession } from "./session/camera_session";
 
 async function start(): Promise<void> {
   const page = new CameraPage();
-  page.session = new CameraSession(
-    openLandmarkWorker(),
-    localStorage,
-    () => page.changed(),
-    (landmarks) => page.draw(landmarks),
-    () => location.reload(), // the server then asks for another token
-  );
+  const models = {
+    face: openLandmarkWorker(),
+    facePicture: warmUpPicture,
+    openHand: openHandWorker,
+    handPicture: warmUpHandPicture,
+  };
+  const [changed, reload] = [() => page.changed(), () => location.reload()]; // the server then asks for another token
+  page.session = new CameraSession(models, localStorage, changed, page.drawing, reload);
   document.body.append(page);
   void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by a camera")));
-  await page.session.start(warmUpPicture(), guestName(Math.random));
+  await page.session.start(guestName(Math.random));
 }
 
 onFileDrop(); // a file that slips from a hand must not take the page's place

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { chooseBackend, type Raced } from "./backend_choice";
-import type { Backend } from "./face_mesh";
+import type { Backend } from "./solution";
 
 const FACE = new Float32Array(3);
 const picture = {} as ImageBitmap;
@@ -51,7 +51,7 @@ it("does not try a graphics processor that is none", async () => {
   expect(runner.used).toEqual(["CPU"]);
 });
 
-it("never takes a place that fails or finds no face", async () => {
+it("never takes a place that fails or finds nothing", async () => {
   expect((await race(new Runner({ CPU: 30, GPU: 1 }, "GPU"))).backend).toBe("CPU");
   expect((await race(new Runner({ CPU: 30, GPU: 1 }, null, "GPU"))).backend).toBe("CPU");
   await expect(race(new Runner({ CPU: 30, GPU: 1 }, "CPU"))).rejects.toThrow("no context");

@@ -1,8 +1,8 @@
 /** Chooses where the model computes, by a short race before the first picture of the camera. */
 
-import type { Backend } from "./face_mesh";
+import type { Backend } from "./solution";
 
-/** What is chosen for: the face mesh. */
+/** What is chosen for: a model. */
 export interface Raced {
   use(backend: Backend): void;
   find(picture: ImageBitmap): Promise<Float32Array>;
@@ -30,7 +30,7 @@ export async function chooseBackend(
   return { backend: "CPU", cost: cpu };
 }
 
-/** What a look takes, ms, the least of some; infinite where it cannot be done or finds no face. */
+/** What a look takes, ms, the least of some; infinite where it cannot be done or finds nothing. */
 async function cost(mesh: Raced, backend: Backend, picture: ImageBitmap, clock: () => number): Promise<number> {
   let least = Number.POSITIVE_INFINITY;
   try {

@@ -1,21 +1,27 @@
 /** The page's side of the landmark worker: the newest picture is looked at, those that came meanwhile are not. */
 
-import type { Backend } from "./face_mesh";
-import type { FromWorker, Landmarks, ToWorker } from "./landmark_messages";
+import type { FaceFound, FromWorker, LookedAt, ToWorker } from "./landmark_messages";
+import type { Backend } from "./solution";
 import warmUpFace from "./warm_up_face.jpg?no-inline";
 
+/** How far a model is. */
+export type ModelState =
+  | { kind: "loading"; what: string; share: number }
+  | { kind: "ready"; backend: Backend; cost: number }
+  | { kind: "failed"; reason: string };
+
 /** What the page is told. */
-export interface LandmarkListener {
+export interface LandmarkListener<Found = FaceFound> {
   loading(what: string, share: number): void;
   ready(backend: Backend, cost: number): void;
-  landmarks(landmarks: Landmarks): void;
+  landmarks(landmarks: LookedAt & Found): void;
   failed(reason: string): void;
 }
 
 /** The part of a worker that is used. */
-export interface Messenger {
+export interface Messenger<Found = FaceFound> {
   postMessage(message: ToWorker, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onmessage: ((event: MessageEvent<FromWorker<Found>>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
@@ -28,20 +34,20 @@ export const warmUpPicture = async (): Promise<ImageBitmap> =>
   await createImageBitmap(await (await fetch(warmUpFace)).blob());
 
 /** The worker's state: nothing is sent to one that loads or looks. */
-export class LandmarkClient {
+export class LandmarkClient<Found = FaceFound> {
   #busy = true;
 
   constructor(
-    private readonly worker: Messenger,
-    private readonly listener: LandmarkListener,
+    private readonly worker: Messenger<Found>,
+    private readonly listener: LandmarkListener<Found>,
   ) {
     worker.onmessage = ({ data }) => this.#receive(data);
     worker.onerror = (event) => listener.failed(event.message || "its script could not be loaded");
   }
 
-  /** Loads the model and has it look at a picture of a face. */
-  start(picture: ImageBitmap): void {
-    this.worker.postMessage({ kind: "start", picture }, [picture]);
+  /** Loads the model and has it look at a picture in which there is one; most: how many faces or hands it looks for. */
+  start(picture: ImageBitmap, most = 1): void {
+    this.worker.postMessage({ kind: "start", picture, most }, [picture]);
   }
 
   /** Whether a picture would be looked at now. */
@@ -59,7 +65,7 @@ export class LandmarkClient {
     this.worker.postMessage({ kind: "picture", picture, time }, [picture]);
   }
 
-  #receive(message: FromWorker): void {
+  #receive(message: FromWorker<Found>): void {
     if (message.kind === "loading") {
       this.listener.loading(message.what, message.share);
       return;

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from omote.inputs.bindings.target import BoundTarget
+from omote.inputs.osc_hands import HAND_AXES
 
 Button = Literal["momentary", "toggle"]
 Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
@@ -33,9 +34,9 @@ class Binding:
 
     device, control: their names, as a `Reading` has them; low, high: the values at both ends of the control (high may
     be the lower one); curve: exponent of the way between them; pick_up: a fader acts once it has crossed the value on
-    air; button: of a button that moves a level; relative: of an encoder without ends; step: part of the range that one
-    step of an encoder moves; bank: the bank in which it plays, "" for all; dead_zone: how far from its middle a stick
-    counts as there, 0 to 0.45 of its way.
+    air, never an axis of a hand, which moves all the time; button: of a button that moves a level; relative: of an
+    encoder without ends; step: part of the range that one step of an encoder moves; bank: the bank in which it plays,
+    "" for all; dead_zone: how far from its middle a stick counts as there, 0 to 0.45 of its way.
     """
 
     device: str
@@ -52,6 +53,7 @@ class Binding:
     dead_zone: float = 0.0
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "pick_up", self.pick_up and self.control not in HAND_AXES)
         for what, name in (("device", self.device), ("control", self.control)):
             if not 1 <= len(name) <= LONGEST_NAME:
                 raise ValueError(f"the {what} is {name[:80]!r}; give its name, of at most {LONGEST_NAME} characters")

@@ -10,13 +10,14 @@ from typing import Any
 from omote.inputs.bindings.control_binding import HIGHEST_BYTE, STEPS, Binding, Encoding
 from omote.inputs.bindings.target import BoundTarget
 from omote.inputs.midi_stream import FINE
+from omote.inputs.osc_hands import HAND_AXES
 from omote.inputs.reading import Reading
 
 LEARN_SECONDS = 30.0
 """Seconds after which learning ends by itself."""
 MOVED = 0.08
 PUSHED = 0.3
-"""Of its way: how far a hand has moved a dial, and a stick, which trembles and turns two axes at a time."""
+"""Of its way: how far a hand has moved a dial, and a stick or an axis of a hand, which tremble and move others too."""
 PASSED = 3
 """Values through which a dial passes at least; a button has two."""
 REPEATED = 3
@@ -126,7 +127,7 @@ class Learning:
 
 
 def _is_stick(reading: Reading) -> bool:
-    return reading.control.rstrip("0123456789") in STICKS
+    return reading.control in HAND_AXES or reading.control.rstrip("0123456789") in STICKS
 
 
 def _are_steps(received: list[int], code: str) -> bool:

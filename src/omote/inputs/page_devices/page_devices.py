@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Protocol
@@ -9,6 +10,7 @@ from typing import Protocol
 import msgspec
 
 from omote.inputs.bindings.binding_input import BindingInput
+from omote.inputs.osc_hands import HAND_AXES
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
@@ -40,6 +42,10 @@ from omote.show.session import ShowSession
 MOST_DEVICES = 64
 RESERVED = ("OSC", "sACN", "Art-Net", *TRACKER_TITLES)
 """Names of sources that are no devices at a page."""
+OSC_SENDER = "osc"
+"""Who has a hand that comes by OSC: no client of the show."""
+HAND_SILENCE = 2.0
+"""Seconds after which such a hand is no longer there."""
 FEEDBACK_TICKS = 2
 WATCHED_TICKS = 6
 TOLD_TICKS = 60
@@ -121,6 +127,38 @@ class PageDevices:
                 self.devices[name].health.note(0, 1)
             self.log.note(name or "bindings", str(error), now, rejected=True)
             return [Outgoing(who, Refused(f"{error}.", getattr(message, "id", "")))]
+
+    def play_hands(self, hands: Iterable[tuple[str, Reading]], now: float) -> list[Outgoing]:
+        """Plays and learns what programs send of hands: each hand is a device, for as long as it is heard.
+
+        hands: readings, each with the host that sent it; now: seconds of the show's clock.
+        """
+        outgoing = []
+        for (host, name), moved in itertools.groupby(hands, lambda heard: (heard[0], heard[1].device)):
+            try:
+                device = self._meet_hand(name, host, now)
+                outgoing += self._play(device, [reading for _, reading in moved], now)
+            except ValueError as error:
+                self.log.note(name, str(error), now, rejected=True)
+        return outgoing
+
+    def _meet_hand(self, name: str, host: str, now: float) -> PluggedDevice:
+        """The device of a hand that is heard now, for the first time or again."""
+        device = self.devices.get(name)
+        if device is not None and device.who:
+            device.heard = now
+            return device
+        where = f"OSC {host}"
+        if device is None:
+            self._make_room()
+            is_bound = partial(self._bindings.bindings.is_bound, name)
+            device = self.devices[name] = PluggedDevice(name, "osc", OSC_SENDER, where, now, None, is_bound)
+        else:
+            device.plug("osc", OSC_SENDER, where, None)
+        device.heard = now
+        self._plugs += 1
+        self.log.note(name, f"comes from {where}", now)
+        return device
 
     def tick(self, state: State, now: float) -> list[Outgoing]:
         """What devices and pages are told after a tick; devices of links that are gone are unplugged.
@@ -239,7 +277,8 @@ class PageDevices:
     def _unplug_lost(self, now: float) -> None:
         crew = self._session().crew
         for device in self.devices.values():
-            if device.who and device.who not in crew:
+            gone = now - device.heard > HAND_SILENCE if device.who == OSC_SENDER else device.who not in crew
+            if device.who and gone:
                 self._unplug(device, now)
 
     def _device_of(self, who: str, name: str) -> PluggedDevice:
@@ -381,4 +420,6 @@ class PageDevices:
 
 def _kind_of(control: str) -> SourceKind:
     """What a device is that has not been there yet, by a control that is bound."""
+    if control in HAND_AXES:
+        return "osc"
     return "midi" if "/" in control else "gamepad"

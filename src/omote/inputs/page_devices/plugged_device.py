@@ -11,7 +11,8 @@ from omote.inputs.page_devices.device_health import DeviceHealth
 from omote.inputs.presets.preset import Preset
 from omote.inputs.reading import Reading
 from omote.perform.cues.show_control import ShowControl
-from omote.show.objects.devices import DeviceKind, DeviceState
+from omote.show.objects.bindings import SourceKind
+from omote.show.objects.devices import DeviceState
 
 KEY = "button"
 """A control of a pad whose name begins so is a key."""
@@ -22,13 +23,13 @@ DEAD = 0.06
 
 
 class PluggedDevice:
-    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called;
-    is_bound: whether a control of it is."""
+    """A device by its name. who: the client that has it, "" where it is gone; where: what that is called; heard: when
+    something of it came last, of a hand by OSC; is_bound: whether a control of it is."""
 
     def __init__(
         self,
         name: str,
-        kind: DeviceKind,
+        kind: SourceKind,
         who: str,
         where: str,
         now: float,
@@ -42,13 +43,14 @@ class PluggedDevice:
         self.where = where
         self.health = DeviceHealth(now)
         self.newest: Reading | None = None
+        self.heard = now
         self.came = 0  # readings that the log was not told of yet
         self.plug(kind, who, where, preset)
 
-    def plug(self, kind: DeviceKind, who: str, where: str, preset: Preset | None) -> None:
+    def plug(self, kind: SourceKind, who: str, where: str, preset: Preset | None) -> None:
         """Notes that it is there, for the first time or again: nothing is known of how its controls and lamps are.
-        kind: midi, gamepad or space_mouse; who: the page's client; where: what that is called; preset: how it is
-        shown."""
+        kind: midi, gamepad or space_mouse, or osc of a hand that a program sends; who: the page's client; where: what
+        that is called; preset: how it is shown."""
         self.kind = kind
         self.who = who
         self.where = where

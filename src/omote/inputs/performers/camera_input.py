@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from uuid import uuid4
 
 from omote.inputs.camera.performer_calibration import PerformerCalibration
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.camera_performer import CalibrationFit, CameraPerformer
+from omote.inputs.performers.hand_input import HandInput
 from omote.inputs.performers.performer_list import PerformerList, check_performer_name
+from omote.inputs.performers.source_route import SourceChoice, route_source
 from omote.inputs.rejection import PacketError
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
-from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
-from omote.show.objects.link import Refused
-from omote.show.objects.sources import RouteSource
 from omote.show.session import ShowSession
 
 
@@ -56,11 +54,12 @@ MOST_LEFT = 4
 
 
 class CameraInput:
-    """All performers before cameras. session: the show that plays; performers: those of the show file; heard: frames of
-    landmarks."""
+    """All performers before cameras. session: the show that plays; performers: those of the show file; hands: what
+    their hands play; heard: frames of landmarks."""
 
     def __init__(self, session: Callable[[], ShowSession], performers: PerformerList) -> None:
         self.trackers = TrackerInput(CAMERA, session)
+        self.hands = HandInput(session)
         self.performers = performers
         self._session = session
         self._links: dict[str, CameraPerformer] = {}
@@ -99,6 +98,7 @@ class CameraInput:
         if performer is None:
             return
         self.trackers.end("", performer.name)
+        self.hands.end(performer.name)
         if performer.redoable:
             self._left[performer.name] = performer
             while len(self._left) > MOST_LEFT:
@@ -126,6 +126,10 @@ class CameraInput:
         match message:
             case wire.PlayCharacters(characters):
                 performer.chosen = [check_known(name, self._session().scene, "character") for name in characters]
+            case wire.HandFrame():
+                self.hands.receive(performer.name, message)
+            case wire.PlayHand():
+                self.hands.choose(performer.name, message)
             case wire.BeginGuide() | wire.RedoStep() | wire.CancelGuide() | wire.ContinueGuide() | wire.UseFaces():
                 _guide(performer, message)
             case _:
@@ -143,6 +147,7 @@ class CameraInput:
                 self.trackers.reject(performer.name, str(error), now)
                 wrong.append((link, str(error)))
         self.trackers.play(now)
+        self.hands.play(now)
         for performer in self._links.values():
             self._route(performer, now)
         return wrong
@@ -188,6 +193,7 @@ class CameraInput:
             found=performer.found,
             undo=self.performers.undo_label,
             weights={name: round(value, 3) for name, value in performer.weights.items()},
+            hand=self.hands.choice(performer.name),
         )
 
     def _load(self, performer: CameraPerformer) -> None:
@@ -236,11 +242,8 @@ class CameraInput:
         if performer.chosen is None or who is None:
             return
         session = self._session()
-        title = self.trackers.title("", performer.name)
-        before = session.sources.route(title)
-        layer: LayerName = before.layer if before.characters else "tracker"
-        asked = RouteSource(uuid4().hex, title, performer.chosen, layer, list(before.parts))
+        kept = session.sources.route(self.trackers.title("", performer.name)).parts
+        choice = SourceChoice(performer.chosen, list(kept))
         performer.chosen = None
-        for answer in session.receive(who, asked, now):
-            if isinstance(answer.message, Refused):
-                self.trackers.reject(performer.name, answer.message.reason, now)
+        if reason := route_source(session, self.trackers, performer.name, choice, now):
+            self.trackers.reject(performer.name, reason, now)

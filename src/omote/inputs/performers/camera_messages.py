@@ -10,12 +10,15 @@ from typing import Annotated, Literal
 import msgspec
 
 from omote.inputs.trackers.tracker_frame import LONGEST_SUBJECT
+from omote.perform.layers.layer_names import LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.show.declaration import Message
 
-CAMERA_VERSION = 1
+CAMERA_VERSION = 2
 CAMERA_PATH = "/camera/link"
 LONGEST_MESSAGE = 8192
+MOST_HAND_CHANNELS = 64
+"""Of one frame of a hand."""
 PerformerName = Annotated[str, msgspec.Meta(max_length=4 * LONGEST_SUBJECT)]
 Calibrated = Literal["no", "rest", "guided"]
 """How a face is read: not yet, by a moment at rest, by the guided minute."""
@@ -32,6 +35,27 @@ class PlayCharacters(Message, frozen=True):
     """Chooses the characters that this performer plays, by name; none: it plays nobody."""
 
     characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
+
+
+class HandFrame(Message, frozen=True):
+    """What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
+    (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
+    `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that this
+    one plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror."""
+
+    time: float
+    found: bool
+    weights: Annotated[dict[PerformerName, float], msgspec.Meta(max_length=MOST_HAND_CHANNELS)]
+    head: tuple[float, float, float] | None = None
+    pad: PerformerName = ""
+    point: tuple[float, float] | None = None
+
+
+class PlayHand(Message, frozen=True):
+    """Chooses the characters that this performer's hand plays, and in which regions (none named: all)."""
+
+    characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
+    regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)]
 
 
 class BeginGuide(Message, frozen=True):
@@ -80,6 +104,16 @@ class CharacterChoice(msgspec.Struct, frozen=True):
     played: bool
 
 
+class HandChoice(msgspec.Struct, frozen=True):
+    """What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far; pads: those of
+    the show with two dimensions or more, which another hand may move."""
+
+    characters: list[CharacterChoice]
+    regions: list[LayerPart]
+    heard: int
+    pads: list[str]
+
+
 class GuideStep(msgspec.Struct, frozen=True):
     """The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made."""
 
@@ -98,7 +132,7 @@ class CameraStatus(Message, frozen=True):
     `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
     `unrest`: what the face that was taken as at rest does, in a sentence, "" where it rests; `unused`: whether faces
     were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo takes back, "" for
-    nothing; `weights`: what the face is read as."""
+    nothing; `weights`: what the face is read as; `hand`: what the performer's hand plays."""
 
     performer: str
     performers: list[str]
@@ -114,6 +148,7 @@ class CameraStatus(Message, frozen=True):
     found: bool
     undo: str
     weights: dict[str, float]
+    hand: HandChoice
 
 
 class CameraRefused(Message, frozen=True):
@@ -128,7 +163,7 @@ class Displaced(Message, frozen=True):
 
 Guide = BeginGuide | RedoStep | CancelGuide | ContinueGuide | UseFaces
 """What is asked of the guided minute."""
-FromCamera = Perform | PlayCharacters | Guide | RenamePerformer | DeletePerformer | UndoPerformer
+FromCamera = Perform | PlayCharacters | HandFrame | PlayHand | Guide | RenamePerformer | DeletePerformer | UndoPerformer
 ToCamera = CameraStatus | CameraRefused | Displaced
 CAMERA_MESSAGES: tuple[type[Message], ...] = FromCamera.__args__
 CAMERA_ANSWERS: tuple[type[Message], ...] = ToCamera.__args__

@@ -21,11 +21,20 @@ LIPS_GAP_SECONDS = 0.06
 soonest; thirty frames a second have no gap."""
 
 
+HEAD_GAP_SECONDS = 0.25
+"""Of silence, after which a head may come back elsewhere; ten frames a second, and a frame that is lost, have no such
+gap."""
+HEAD_BACK_SECONDS = 1.5
+"""In which a head that comes back is followed slowly, then as its layer is: a turn of the head is a matter of a second,
+and a performer's hand or face that is found again is somewhere else."""
+
+
 @dataclass(frozen=True)
 class Driver:
     """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
 
-    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. share: how much of its
+    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. away: seconds in which
+    its head is still followed slowly, after a gap. share: how much of its
     layer it takes. route_number: of two that may play the same parts, the higher one has them. part_shares: as of a
     frame.
     """
@@ -42,6 +51,7 @@ class Driver:
     share: float = 1.0
     route_number: int = 0
     part_shares: tuple[float, ...] = ()
+    away: float = 0.0
 
     @property
     def is_trusted(self) -> bool:
@@ -134,4 +144,5 @@ def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
     silent = 0.0 if driver.source == CLIP else min(driver.silent + dt, LOSS_SECONDS)
     gap = LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
     steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
-    return with_fields(driver, silent=silent, steady=steady)
+    away = HEAD_BACK_SECONDS if silent >= HEAD_GAP_SECONDS else max(driver.away - dt, 0.0)
+    return with_fields(driver, silent=silent, steady=steady, away=away)

@@ -13,6 +13,7 @@ from omote.perform.channels import effective_channels, gaze_channels
 from omote.perform.frame import Gaze, Head, Held, with_fields
 from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, Pace, make_columns
 from omote.perform.layers.drivers import (
+    HEAD_BACK_SECONDS,
     NOBODY,
     STEADY_SECONDS,
     Driver,
@@ -300,10 +301,10 @@ def _paces(layers: Layers) -> list[Pace]:
     """How sources are followed that are smoothed otherwise than their layers, or have only just come."""
     return [
         Pace(DRIVEN.index(layer), columns_of_source(layers, layer, driver.source), driver.smoothing,
-             driver.steady / STEADY_SECONDS)
+             driver.steady / STEADY_SECONDS, 1.0 - driver.away / HEAD_BACK_SECONDS)
         for layer, drivers in layers.drivers.items()
         for driver in drivers
-        if driver.smoothing or driver.steady < STEADY_SECONDS
+        if driver.smoothing or driver.steady < STEADY_SECONDS or driver.away
     ]  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from omote.arrays import Values
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Held
 from omote.perform.layers.columns import GAZE_PART, PLACES, Columns, HasExpressions, columns_of
-from omote.perform.layers.drivers import NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
+from omote.perform.layers.drivers import HEAD_BACK_SECONDS, NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layer_vectors import Layers, with_share_goal
 from omote.perform.layers.layers import recast
@@ -94,6 +94,7 @@ def _check_drivers(drivers: Mapping[LayerName, tuple[Driver, ...]], followed: Ma
     for driver in (driver for layer_drivers in drivers.values() for driver in layer_drivers):
         check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
         check_within(driver.steady, 0.0, STEADY_SECONDS, "the steady frames of a source (seconds)")
+        check_within(driver.away, 0.0, HEAD_BACK_SECONDS, "the way back of a source's head (seconds)")
         check_smoothing(driver.smoothing)
         check_share(driver.share)
         check_part_shares(driver.part_shares)

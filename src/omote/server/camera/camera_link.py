@@ -79,12 +79,13 @@ class CameraLinks(DeviceSource):
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
         self._log.note_new(self.cameras.trackers)
+        self._log.note_new(self.cameras.hands.trackers)
         self._log.tell(now)
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of it."""
-        return [self._count]
+        return [self._count, self._count_hands] if self.cameras.hands.heard else [self._count]
 
     async def close(self) -> None:
         """Ends all links."""
@@ -127,3 +128,7 @@ class CameraLinks(DeviceSource):
         place = self._outside()
         advice = advise(trackers.protocol, place, None) if place else CAMERA_HERE
         return replace(count_tracker(trackers, advice), heard=self.cameras.heard)
+
+    def _count_hands(self) -> SourceCounts:
+        hands = self.cameras.hands
+        return replace(count_tracker(hands.trackers, hands.trackers.protocol.advice), heard=hands.heard)

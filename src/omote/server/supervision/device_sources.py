@@ -121,7 +121,7 @@ async def start_devices(
     )  # fmt: skip
     answer = server.links.answer
     started.append(CueSender(opening.session, devices, answer, server.tell_crew))
-    started.append(PageDeviceSource(devices, opening.session, answer))
+    started.append(PageDeviceSource(devices, opening.session, answer, None if osc is None else osc.osc.hands))
     asked = [*started, SourceReport(opening.session, report)]
     server.sources.extend(GuardedSource(source, report) for source in asked)
     return started

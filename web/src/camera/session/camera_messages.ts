@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/inputs/performers/camera_messages.py. Do not edit: run `python tools/messages.py`.
 
-export const CAMERA_VERSION = 1;
+export const CAMERA_VERSION = 2;
 export const CAMERA_PATH = "/camera/link";
 
 /** Says who performs before this camera: the first message of a link, and again for another performer. */
@@ -8,6 +8,29 @@ export type Perform = { type: "perform"; version: number; name: string };
 
 /** Chooses the characters that this performer plays, by name; none: it plays nobody. */
 export type PlayCharacters = { type: "play_characters"; characters: string[] };
+
+/**
+ * What the page has read of the performer's hand in one picture: weights by channel, and how it turns the head
+ * (yaw, pitch and roll, radians), by the calibration that the page keeps. `time`: seconds of the page's clock;
+ * `found`: false while no hand is seen. `pad`: the pad whose point the other hand moves on the characters that this
+ * one plays, "" for none; `point`: where it is, -1..1 right and up as in a mirror.
+ */
+export type HandFrame = {
+  type: "hand_frame";
+  time: number;
+  found: boolean;
+  weights: Record<string, number>;
+  head?: [number, number, number] | null;
+  pad?: string;
+  point?: [number, number] | null;
+};
+
+/** Chooses the characters that this performer's hand plays, and in which regions (none named: all). */
+export type PlayHand = {
+  type: "play_hand";
+  characters: string[];
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+};
 
 /** Begins the guided minute, or with `rest` only a moment of the face at rest. */
 export type BeginGuide = { type: "begin_guide"; rest?: boolean };
@@ -36,6 +59,17 @@ export type UndoPerformer = { type: "undo_performer" };
 /** A character of the show, and whether this performer plays it. */
 export type CharacterChoice = { name: string; label: string; played: boolean };
 
+/**
+ * What the performer's hand plays: characters, and regions (none: all). heard: frames of it so far; pads: those of
+ * the show with two dimensions or more, which another hand may move.
+ */
+export type HandChoice = {
+  characters: CharacterChoice[];
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  heard: number;
+  pads: string[];
+};
+
 /** The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made. */
 export type GuideStep = {
   step: string;
@@ -53,7 +87,7 @@ export type GuideStep = {
  * `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
  * `unrest`: what the face that was taken as at rest does, in a sentence, "" where it rests; `unused`: whether faces
  * were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo takes back, "" for
- * nothing; `weights`: what the face is read as.
+ * nothing; `weights`: what the face is read as; `hand`: what the performer's hand plays.
  */
 export type CameraStatus = {
   type: "camera_status";
@@ -71,6 +105,7 @@ export type CameraStatus = {
   found: boolean;
   undo: string;
   weights: Record<string, number>;
+  hand: HandChoice;
 };
 
 /** Why something was not done. */
@@ -82,6 +117,8 @@ export type Displaced = { type: "displaced" };
 export type FromCamera =
   | Perform
   | PlayCharacters
+  | HandFrame
+  | PlayHand
   | BeginGuide
   | RedoStep
   | CancelGuide

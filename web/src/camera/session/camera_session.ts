@@ -1,20 +1,33 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
 import { type HealthLine, judgeFace, Rate } from "../../face_mesh/face_health";
-import type { Backend } from "../../face_mesh/face_mesh";
-import { LandmarkClient, type Messenger } from "../../face_mesh/landmark_client";
+import { LandmarkClient, type Messenger, type ModelState } from "../../face_mesh/landmark_client";
 import type { Landmarks } from "../../face_mesh/landmark_messages";
+import type { HandWorker } from "../../hands/hand_client";
+import type { Hands } from "../../hands/hand_messages";
 import { CAMERA_KEY, type CameraDevice, CameraStream, type CameraTrouble } from "../../webcam/camera_stream";
 import { takePictures } from "../../webcam/picture_stream";
 import { CameraLink } from "./camera_link";
 import type { CameraStatus, FromCamera } from "./camera_messages";
+import { HandSession } from "./hand_session";
 import { writeLandmarkFrame } from "./landmark_frame";
 
-/** How far the model is. */
-export type ModelState =
-  | { kind: "loading"; what: string; share: number }
-  | { kind: "ready"; backend: Backend; cost: number }
-  | { kind: "failed"; reason: string };
+/** What the camera is looked at for. */
+export type Tracked = "face" | "hand" | "both";
+
+/** What draws over the picture. */
+export interface Drawing {
+  face(landmarks: Landmarks): void;
+  hands(hands: Hands, playing: number): void;
+}
+
+/** The workers of the models, and the pictures that they warm up with. */
+export interface Models {
+  face: Messenger;
+  facePicture(): Promise<ImageBitmap>;
+  openHand(): HandWorker;
+  handPicture(): Promise<ImageBitmap>;
+}
 
 /** The state of the page; `changed` is called with each change of what is shown as words. */
 export class CameraSession {
@@ -28,6 +41,8 @@ export class CameraSession {
   displaced = false;
   /** What the show said no to last, until it is dismissed or something is accepted. */
   notice = "";
+  readonly hand: HandSession;
+  #faceStarted = false;
   readonly video = document.createElement("video");
   #endPictures: () => void = () => undefined;
   /** Whether this page has stopped a guided minute without a face, of which the show still tells. */
@@ -39,13 +54,13 @@ export class CameraSession {
   readonly #link: CameraLink;
 
   constructor(
-    worker: Messenger,
+    private readonly models: Models,
     private readonly storage: Storage,
     private readonly changed: () => void,
-    private readonly drawn: (landmarks: Landmarks) => void,
+    private readonly drawing: Drawing,
     reload: () => void,
   ) {
-    this.#client = new LandmarkClient(worker, {
+    this.#client = new LandmarkClient(models.face, {
       loading: (what, share) => this.#setModel({ kind: "loading", what, share }),
       ready: (backend, cost) => this.#setModel({ kind: "ready", backend, cost }),
       landmarks: (landmarks) => this.#receive(landmarks),
@@ -64,6 +79,34 @@ export class CameraSession {
       connected: (online) => this.#set({ online }),
       revoked: reload,
     });
+    this.hand = new HandSession({
+      openWorker: () => models.openHand(),
+      picture: () => models.handPicture(),
+      storage,
+      send: (message) => this.#link.send(message),
+      changed,
+      drawn: (hands, playing) => drawing.hands(hands, playing),
+    });
+  }
+
+  /** What the camera is looked at for. */
+  get tracked(): Tracked {
+    const kept = this.storage.getItem(TRACKED_KEY);
+    return kept === "hand" || kept === "both" ? kept : "face";
+  }
+
+  /** Looks at the camera for a face, a hand or both from now on. */
+  track(tracked: Tracked): void {
+    this.storage.setItem(TRACKED_KEY, tracked);
+    this.#useModels();
+    this.#set({ health: [] });
+  }
+
+  #useModels(): void {
+    this.hand.use(this.tracked !== "face");
+    if (this.tracked === "hand" || this.#faceStarted) return;
+    this.#faceStarted = true;
+    void this.models.facePicture().then((face) => this.#client.start(face));
   }
 
   /** The name under which this browser's performer plays. */
@@ -74,15 +117,25 @@ export class CameraSession {
   /** Why no picture is read; "" where they are. */
   get noPicture(): string {
     if (this.trouble !== null) return this.trouble.title;
+    if (this.tracked === "hand") return this.noHand;
     if (this.model.kind === "failed") return "The face model does not run here";
     if (this.model.kind === "loading") return "The face model is loading";
     return this.health.length === 0 ? "No picture has come yet" : "";
   }
 
-  /** Loads the model, asks for the camera and greets the show; who has no name has `fallbackName` at once. */
-  async start(face: Promise<ImageBitmap>, fallbackName: string): Promise<void> {
+  /** Why no hand is read; "" where it is. */
+  get noHand(): string {
+    if (this.trouble !== null) return this.trouble.title;
+    if (this.hand.model?.kind === "failed") return "The hand model does not run here";
+    if (this.hand.model?.kind !== "ready") return "The hand model is loading";
+    return this.hand.reading === null ? "No picture has come yet" : "";
+  }
+
+  /** Loads the models, asks for the camera and greets the show; who has no name has `fallbackName` at once. */
+  async start(fallbackName: string): Promise<void> {
     if (this.name === "") this.storage.setItem(NAME_KEY, fallbackName);
-    this.#client.start(await face);
+    this.hand.perform(this.name);
+    this.#useModels();
     this.#link.perform(this.name);
     await this.#stream.open(this.storage.getItem(CAMERA_KEY) ?? "");
   }
@@ -92,6 +145,7 @@ export class CameraSession {
     const trimmed = name.trim();
     if (trimmed === "") return;
     this.storage.setItem(NAME_KEY, trimmed);
+    this.hand.perform(trimmed);
     this.#set({ displaced: false, notice: "" });
     this.#link.perform(trimmed);
   }
@@ -123,6 +177,7 @@ export class CameraSession {
     this.#endPictures();
     this.video.srcObject = stream;
     this.#set({ trouble: null, device });
+    this.hand.see(stream.getVideoTracks()[0]?.label ?? "");
     void this.video.play().catch(() => undefined); // another camera was chosen before it began
     this.#endPictures = takePictures(stream, this.video, (grab, time) => this.#look(grab, time));
   }
@@ -135,13 +190,16 @@ export class CameraSession {
 
   /** Has a picture looked at, where the worker is free: the newest counts. */
   async #look(grab: () => Promise<ImageBitmap | null>, time: number): Promise<void> {
-    const picture = this.#client.free ? await grab() : null;
-    if (picture !== null) this.#client.look(picture, time);
+    const wanted = [this.tracked !== "hand" ? this.#client : null, this.hand];
+    for (const model of wanted) {
+      const picture = model?.free ? await grab() : null;
+      if (picture !== null) model?.look(picture, time);
+    }
   }
 
   #receive(landmarks: Landmarks): void {
     this.#link.sendFrame(writeLandmarkFrame(landmarks));
-    this.drawn(landmarks);
+    this.drawing.face(landmarks);
     const rate = this.#rate.count(landmarks.time);
     if (landmarks.time - this.#noticed > HEALTH_MS) {
       this.#noticed = landmarks.time;
@@ -151,6 +209,7 @@ export class CameraSession {
 
   #follow(status: CameraStatus): void {
     if (status.performer !== this.name) this.storage.setItem(NAME_KEY, status.performer);
+    if (this.status !== null) this.hand.rename(this.status.performer, status.performer);
     this.#link.rename(status.performer);
     const ended = this.#stopped && (status.guide?.of ?? 0) < 2;
     if (ended) this.#stopped = false;
@@ -175,5 +234,6 @@ const WISH = {
     "This page came over plain http from another machine. On the machine with the camera run “omote track --to ADDRESS” with the address of the show, or start the show with https: “omote show --https”.",
 };
 const STOPPED = "The guided minute is stopped: no face was made, so nothing is kept and nothing has changed.";
+const TRACKED_KEY = "omote.camera.tracked";
 const NAME_KEY = "omote.performer";
 const HEALTH_MS = 400;

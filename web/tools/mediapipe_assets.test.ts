@@ -1,10 +1,11 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { expect, it } from "vitest";
-import { patchGlue } from "./face_mesh_assets.ts";
+import { patchGlue } from "./mediapipe_assets.ts";
 
 const read = (path: string): string => readFileSync(resolve(import.meta.dirname, path), "utf8");
-const glue = read("../node_modules/@mediapipe/face_mesh/face_mesh_solution_simd_wasm_bin.js");
+const glueOf = (name: string): string => read(`../node_modules/@mediapipe/${name}/${name}_solution_simd_wasm_bin.js`);
+const glue = glueOf("face_mesh");
 const closures = read("embind_closures.js");
 
 it("leaves no function that is made from a string, and the rest as it is", () => {
@@ -16,8 +17,12 @@ it("leaves no function that is made from a string, and the rest as it is", () =>
   expect(patched.startsWith(glue.slice(0, glue.indexOf("function createNamedFunction")))).toBe(true);
 });
 
+it("leaves a glue as it is that makes no code from strings", () => {
+  expect(patchGlue(glueOf("hands"), closures)).toBe(glueOf("hands"));
+});
+
 it("stops the build for another glue", () => {
-  expect(() => patchGlue("nothing", closures)).toThrow("has no createNamedFunction");
+  expect(() => patchGlue("new Function()", closures)).toThrow("has no createNamedFunction");
   expect(() => patchGlue(glue, "")).toThrow("embind_closures.js has no createNamedFunction");
   expect(() => patchGlue(`${glue};eval("1")`, closures)).toThrow("still makes code from strings");
 });

@@ -1,0 +1,23 @@
+import { expect, it } from "vitest";
+import { OneEuroFilter } from "./one_euro";
+import { seededNumbers } from "./synthetic_hand";
+
+it("holds still what trembles, and follows what moves", () => {
+  const filter = new OneEuroFilter();
+  const random = seededNumbers(4);
+  let shaking = 0;
+  for (let count = 0; count < 200; count++) {
+    const [value = 0] = filter.follow([0.04 * (random() - 0.5)], count / 20);
+    if (count > 20) shaking = Math.max(shaking, Math.abs(value));
+  }
+  expect(shaking).toBeLessThan(0.015);
+  const [, second = 0] = [filter.follow([1], 10), filter.follow([1], 10.05)[0]];
+  expect(second).toBeGreaterThan(0.8);
+});
+
+it("begins anew after a gap, and where the clock jumps", () => {
+  const filter = new OneEuroFilter();
+  filter.follow([0], 1);
+  expect(filter.follow([1], 3)).toEqual([1]);
+  expect(filter.follow([0.5], 2)).toEqual([0.5]);
+});
