@@ -89,6 +89,8 @@ binding = [
   { device = "pad", control = "1/cc1+33", to = "/omote/one/gaze", axis = "pitch", pick_up = false },
   { device = "pad", control = "1/cc2", to = "/omote/one/channel/smile", relative = "sign_magnitude" },
   { device = "pad", control = "1/note60", to = "/omote/panic" },
+  { device = "Hand one right", control = "opening", to = "/omote/one/macro/stick" },
+  { device = "Hand one right", control = "yaw", to = "/omote/one/head", axis = "yaw" },
 ]
 """
 
@@ -301,6 +303,7 @@ class Show:
         self.devices.hear(self.dmx.take_readings(now), now)
         for who, message in self.session.take_device_messages():
             self.page.receive(who, message, now)
+        self.page.play_hands(self.osc.hands.take(), now)
         state = self.session.tick(now)
         self.page.tick(state, now)
         self.devices.note_state(state)
