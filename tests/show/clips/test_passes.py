@@ -3,22 +3,37 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
+import omote
 from omote.model.cast import Cast
+from omote.model.known_names import PlayRegion
 from omote.perform.clips.clip import Clip, Lane
 from omote.perform.clips.motion_curve import MotionCurve, make_curve
 from omote.perform.layers.layer_names import LayerPart
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
+from omote.perform.mix import mix_in
 from omote.show.clips import show_clips
+from omote.show.declaration import ClientMessage
+from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import clips as wire
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.hand.macros import MoveMacro, SetMapping
+from omote.show.objects.hand.pads import MovePad
+from omote.show.objects.link import Hello
+from omote.show.objects.motion import SetMotion
+from omote.show.objects.sources import Drive, RouteSource, Source, SourceIs
 from omote.show.objects.speech import PlaySound
-from tests.show.clips.clip_show import Show, reason
+from omote.show.objects.state import CharacterState
+from tests.show.clips.clip_show import DT, Show, reason
 
 CURVE = 1e-3
 """Radians: by which two cubics through 60 and through more frames a second differ, of a head that swings by .2 three
 times a second."""
+SECOND: tuple[PlayRegion, ...] = ("brows", "eyes", "rest")
 TIMES = np.arange(121) / 60.0
 
 
@@ -92,3 +107,68 @@ def test_consoles_are_told_at_what_speed_a_pass_is_recorded(cast: Cast) -> None:
     show = Show(cast)
     show.send(wire.RecordClip, "one", "line1", speed=0.5)
     assert [each.speed for each in show.session.clips.work.passes] == [0.5]
+
+
+def test_what_one_pair_of_hands_plays_is_recorded_as_lanes_and_played_by_another_character() -> None:
+    """First the mouth by a stick and the head by a hand before the camera, then the mood by a pad."""
+    show = Show(omote.load_cast())
+    session = show.session
+    stick = MacroMapping("stick", (MacroTarget("channel/jawOpen", 0.0, 0.8),))
+    session.receive("a", SetMapping("one", "set", stick), 0.0)
+    session.receive("a", SetMotion("one", liveliness=0.0), 0.0)
+    show.send(AddCharacter, "two", "Two", "dog")
+    session.receive("hand", Hello("console", PROTOCOL_VERSION, "hand"), show.now)
+    (opened,) = session.receive("hand", Source("hand", "tracker", ["jawOpen"]), show.now)
+    assert isinstance(opened.message, SourceIs)
+    index = opened.message.index
+    session.receive("a", RouteSource("route", "hand", ["one"], "tracker", ["head"]), show.now)
+    show.run(0.5)
+
+    def play(ticks: int, act: Callable[[float], ClientMessage]) -> list[CharacterState]:
+        states = []
+        for tick in range(ticks):
+            session.receive("hand", Drive(index, bytes(4), (0.2 * tick / ticks, 0.0, 0.0)), show.now)
+            session.receive("a", act(tick / ticks), show.now)
+            states += show.states(DT)
+        return states
+
+    show.send(wire.RecordClip, "one", "line", ["mouth", "head"], "mouth")
+    first = play(60, lambda at: MoveMacro("one", "stick", at))
+    show.send(wire.KeepPass, "one")
+    session.receive("a", MoveMacro("one", "stick", 0.0), show.now)
+    show.run(1.0)
+    show.send(wire.RecordClip, "one", "line", [*SECOND], "mood")
+    second = play(60, lambda at: MovePad("one", "moods", 0.9 * at, 0.3))
+    show.send(wire.KeepPass, "one")
+    show.send(wire.PlayClip, "two", "line", seconds=0.0)
+    for tick, again in enumerate(show.states(40 * DT, "two"), 1):
+        assert again.channels.get("jawOpen", 0.0) == pytest.approx(
+            first[tick - 1].channels.get("jawOpen", 0.0), abs=1e-6
+        )
+        assert again.head == pytest.approx(first[tick - 1].head, abs=1e-6)
+        for region in SECOND:
+            mix = mix_in(region, second[tick - 1].expressions, second[tick - 1].regions)
+            assert mix_in(region, again.expressions, again.regions) == pytest.approx(mix, abs=1e-6)
+        assert mix_in("mouth", again.expressions, again.regions) == pytest.approx({"neutral": 1.0})
+
+
+def test_hands_lie_over_a_lane_and_what_a_pad_plays_lies_below_it() -> None:
+    show = Show(omote.load_cast())
+    session = show.session
+    session.receive("a", SetMapping("one", "set", MacroMapping("stick", (MacroTarget("channel/jawOpen"),))), 0.0)
+    show.send(wire.RecordClip, "one", "line", ["mouth"])
+    session.receive("a", MovePad("one", "mouth", 0.7, 0.6), show.now)
+    show.run(1.0)
+    show.send(wire.KeepPass, "one")
+    session.receive("a", MovePad("one", "mouth", 0.0, 0.0), show.now)
+    show.run(0.5)
+    show.send(wire.PlayClip, "one", "line", seconds=0.0, loop=True)
+    show.run(0.6)
+    session.receive("a", MovePad("one", "mouth", -0.85, -0.1), show.now)
+    session.receive("a", MoveMacro("one", "stick", 0.5), show.now)
+    (*_, state) = show.states(3.0)
+    assert state.channels["jawOpen"] == pytest.approx(0.5, abs=1e-3), "a hand has what it plays"
+    assert "pout" not in mix_in("mouth", state.expressions, state.regions), "a pad has not"
+    session.receive("a", wire.StopClip("one", seconds=0.2), show.now)
+    (*_, state) = show.states(0.3)
+    assert mix_in("mouth", state.expressions, state.regions) == pytest.approx({"pout": 1.0})
