@@ -101,7 +101,9 @@ def test_off_loopback_it_prints_an_address_for_each_role_and_a_picture(
         (role, FIRST_PAGES[role], token_of(people, person))
         for role, person in zip(ACCESS_ROLES, people.people, strict=True)
     ]
-    assert re.search(r"^  The pages http://\S+/cues, /clips, /notes, /runs, /camera, ", done.stdout, re.MULTILINE)
+    assert re.search(
+        r"^  The pages http://\S+/cues, /solo, /clips, /notes, /runs, /camera, ", done.stdout, re.MULTILINE
+    )
     assert "heard" not in done.stderr
     words[1:2] = [str(tmp_path / "b.omote"), "--artnet", "0"]
     assert "Art-Net is heard from this machine alone" in runner.invoke(app, words).stderr

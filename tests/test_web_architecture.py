@@ -42,27 +42,39 @@ USED: dict[str, str] = {
     "console/clips": "link ui access console/store console/controls",
     "console/show_file": "link ui console/store console/controls",
     "console/devices": "link ui console/store console/controls",
+    "console/mappings": "link ui console/store console/controls console/devices",
     "console/leases": "link ui console/store console/controls",
     "console/mixer": "link ui console/store console/controls",
     "console/palette": "link ui console/store console/controls console/show_file console/clips",
+    "console/pads": "link ui console/store console/controls console/palette",
     "console/panels": (
-        "link ui face/pose face/quality face console/store console/controls console/show_file console/clips"
+        "link ui face/pose face/quality face console/store console/controls console/show_file console/clips "
+        "console/mappings"
     ),
     "console/scene": "link ui console/store console/controls",
-    "console/learn": "link ui console/store console/controls console/devices console/mixer console/palette",
+    "console/learn": (
+        "link ui console/store console/controls console/devices console/mixer console/palette console/mappings "
+        "console/pads"
+    ),
     "console/cues": "link ui access console/store",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
-        "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips"
+        "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips "
+        "console/mappings console/pads"
     ),
     "console/devices_page": (
-        "link ui access console/store console/show_file console/devices console/leases console/panels console"
+        "link ui access console/store console/show_file console/devices console/mappings console/leases console/panels "
+        "console"
     ),
     "rehearsal": "link ui",
     "console/cues_page": (
         "link ui access rehearsal console/store console/leases console/panels console console/cues console/clips"
     ),
     "console/clips_page": "link ui access console/store console/leases console/panels console console/clips",
+    "console/solo_page": (
+        "link ui access console/store console/controls console/show_file console/leases console/panels console/scene "
+        "console/learn console console/cues console/clips console/pads"
+    ),
     "microphone": "link ui access",
     "rehearsal/notes": "ui rehearsal",
     "rehearsal/runs": "link ui rehearsal",

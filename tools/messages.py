@@ -41,8 +41,17 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PAR
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
-from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
-from omote.perform.pads.blend_space import LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
+from omote.perform.mappings.mapping import (
+    LONGEST_FOLLOWER,
+    LONGEST_MACRO,
+    MOST_TARGETS,
+    HalfBelow,
+    MacroCondition,
+    MacroMapping,
+    MacroTarget,
+)
+from omote.perform.mappings.monotone_curve import MOST_KNOTS, NEAREST_KNOTS
+from omote.perform.pads.blend_space import FEWEST_LOOKS, LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show import messages
@@ -50,6 +59,7 @@ from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
 from omote.show.access.access_role import ACCESS_ROLES
 from omote.show.declaration import Message
 from omote.show.messages import CLIENT_MESSAGES, LINK_PATH, PROTOCOL_VERSION, SERVER_MESSAGES, STATE_RATE, STRUCTS
+from omote.show.objects.hand.setups import LONGEST_SETUP_NAME
 from omote.show.objects.stages import Level
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
@@ -152,8 +162,15 @@ def _lights() -> dict[str, dict[str, object]]:
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
     "MOST_PADS": ("Pads of a show.", MOST_PADS),
-    "MOST_LOOKS": ("Looks of a pad.", MOST_LOOKS),
+    "FEWEST_LOOKS": ("Looks of a pad at least.", FEWEST_LOOKS),
+    "MOST_LOOKS": ("Looks of a pad at most.", MOST_LOOKS),
     "LEAST_APART": ("Between the places of two looks of a pad, which go from -1 to 1.", LEAST_APART),
+    "LONGEST_MACRO": ("Letters of the name of a macro.", LONGEST_MACRO),
+    "MOST_TARGETS": ("Targets of a macro.", MOST_TARGETS),
+    "MOST_KNOTS": ("Knots of the curve of a target.", MOST_KNOTS),
+    "NEAREST_KNOTS": ("Between two knots of a curve, of the way of its macro.", NEAREST_KNOTS),
+    "LONGEST_FOLLOWER": ("Seconds of the rise and of the fall of a target.", LONGEST_FOLLOWER),
+    "LONGEST_SETUP_NAME": ("Letters of the name of a set-up.", LONGEST_SETUP_NAME),
     "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
     "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),
     "FRAMING_JOINT": ("Between the names of the characters of a framing.", JOINT),

@@ -9,6 +9,7 @@ const PAGES = [
   "stage",
   "console",
   "cues",
+  "solo",
   "clips",
   "notes",
   "runs",
@@ -20,7 +21,7 @@ const PAGES = [
 ];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
-/** What the heads of console, cues, clips, devices and editor share. */
+/** What the heads of console, cues, solo, clips, devices and editor share. */
 const toolHead: Plugin = {
   name: "tool head",
   transformIndexHtml: {

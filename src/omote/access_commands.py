@@ -133,7 +133,7 @@ def print_shared(people: People, base: str, *, colour: bool) -> None:
         code = read_code(entry_address(base, "operate", token_of(people, shared["operate"])), colour=colour)
         typer.echo(f"\n{code}\n")
         typer.echo("  A phone or a tablet that reads this picture opens the console (operate).")
-    others = "/clips, /notes, /runs, /camera, /microphone and /devices"
+    others = "/solo, /clips, /notes, /runs, /camera, /microphone and /devices"
     typer.echo(f"  The pages {base}/cues, {others} open in the same browser (operate).")
     typer.echo("  omote access, and People on a console of an admin, list, make and revoke tokens.")
 

@@ -15,7 +15,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, CDPSession, Error, Page, expect, sync_playwright
 
-from tests.browser.waiting import PATIENCE
+from tests.browser.browser_devices import DEVICES, FAKE_MIDI
+from tests.browser.waiting import PATIENCE, wait_until
 from tools.browser import SENTENCE, find_browser
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -240,6 +241,26 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
     for tab in taken:
         tabs.give_back(tab, show)
     assert not reported, reported
+
+
+@pytest.fixture
+def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
+    """Opens a page of the show at a browser with devices, which it has been allowed to hear before."""
+
+    def open_one(path: str, **options: Any) -> Page:
+        page = open_page("/nothing", pictures=False, disposable=True, **options)
+        page.add_init_script(FAKE_MIDI.read_text() + DEVICES)
+        page.evaluate("localStorage.setItem('omote devices', JSON.stringify({ midi: true }))")
+        blocked: list[str] = []
+        page.on("console", lambda message: blocked.append(message.text) if "Security Policy" in message.text else None)
+        page.goto(page.url.replace("/nothing", path))
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page')?.context.store.state")
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.manifest")
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.online")
+        assert not blocked
+        return page
+
+    return open_one
 
 
 def _address(process: subprocess.Popen[str]) -> str:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Callable
-from pathlib import Path
-from typing import Any
 
 import numpy as np
-import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.browser_devices import DEVICE_STORE, TURN, connect
 from tests.browser.pictures import picture
 from tests.browser.test_console import DESK, TWO_FRAMES, wait_for
 from tests.browser.waiting import wait_until
@@ -18,50 +16,8 @@ from tests.inputs.trackers.packets import live_link_face
 
 OpenPage = Callable[..., Page]
 
-FAKE_MIDI = Path(__file__).parents[2] / "web" / "node_modules" / "web-midi-test" / "wmt.js"
-# Chromium without a window refuses Web MIDI, also where it is granted.
-DEVICES = """
-navigator.requestMIDIAccess = WMT.requestMIDIAccess;
-window.dial = new WMT.MidiSrc("Dial");
-window.other = new WMT.MidiSrc("Other dial");
-window.pad = {
-    id: "Pad (STANDARD GAMEPAD Vendor: aaaa Product: bbbb)", index: 0, connected: true, mapping: "", axes: [0, 0],
-    buttons: [{ value: 0, pressed: false }],
-};
-window.pads = [];
-navigator.getGamepads = () => pads;
-"""
-DEVICE_STORE = "document.querySelector('omote-console, omote-devices-page').context.devices"
 BINDINGS = f"{DEVICE_STORE}.bindings"
 SHOWN_LEFT = "(each) => (each.isConnected && !each.hidden ? each.getBoundingClientRect().left : null)"
-TURN = "(values) => { for (const value of values) dial.emit([0xb0, 7, value]); }"
-
-
-@pytest.fixture
-def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
-    """Opens a page of the show at a browser with devices, which it has been allowed to hear before."""
-
-    def open_one(path: str, **options: Any) -> Page:
-        page = open_page("/nothing", pictures=False, disposable=True, **options)
-        page.add_init_script(FAKE_MIDI.read_text() + DEVICES)
-        page.evaluate("localStorage.setItem('omote devices', JSON.stringify({ midi: true }))")
-        blocked: list[str] = []
-        page.on("console", lambda message: blocked.append(message.text) if "Security Policy" in message.text else None)
-        page.goto(page.url.replace("/nothing", path))
-        wait_until(page, "document.querySelector('omote-console, omote-devices-page')?.context.store.state")
-        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.manifest")
-        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.online")
-        assert not blocked
-        return page
-
-    return open_one
-
-
-def connect(page: Page) -> None:
-    """Plugs the dial in, and waits until the show hears it from here: the page before may not have let it go yet."""
-    page.evaluate("dial.connect()")
-    dial = f"{DEVICE_STORE}.devices.find(({{ name }}) => name === 'Dial')"
-    wait_until(page, f"(dial.emit([0xb0, 7, 1]), dial.emit([0xb0, 7, 0]), {dial}?.values['1/cc7'] === 0)", told=dial)
 
 
 def bound(page: Page, count: int) -> None:
@@ -200,7 +156,7 @@ def test_the_devices_page_shows_edits_and_takes_back(open_with_devices: Callable
     expect(row).to_contain_text("0.5")
     row.get_by_role("button", name="Edit").click()
     page.get_by_label("Curve").fill("2")
-    page.get_by_role("button", name="Keep").click()
+    page.locator("omote-binding-form").get_by_role("button", name="Keep").click()
     expect(row.locator("[data-says=curve]")).to_have_text("2")
     row.get_by_role("button", name="Delete").click()
     expect(row).to_have_count(0)

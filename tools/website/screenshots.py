@@ -107,7 +107,42 @@ def green(browser: Browser, address: str) -> Page:
     return page
 
 
-PAGES: dict[str, Callable[[Browser, str], Page]] = {"console": console, "green": green, "editor": editor}
+BROWS = {
+    "name": "brows",
+    "targets": [
+        {"to": "channel/browInnerUp", "high": 1.0, "curve": [(0, 0), (0.35, 0.12), (1, 1)], "rise": 0.1, "fall": 0.3},
+        {
+            "to": "head/pitch",
+            "high": 0.2,
+            "curve": [(0, 0), (0.6, 0.8), (1, 1)],
+            "below": {"high": -0.3, "curve": [(0, 0), (1, 1)]},
+        },
+    ],
+}
+"""A macro whose brows come late, and whose head goes both ways."""
+
+
+def mappings(browser: Browser, address: str) -> Page:
+    """The curves of a macro, with a hand two thirds up."""
+    page = browser.new_page(viewport={"width": 1100, "height": 600})
+    page.goto(f"{address}/devices#mappings")
+    store = "document.querySelector('omote-devices-page')?.context?.store"
+    wait_for(page, f"{store}?.online && {store}.expressions.length > 0 && {store}.state")
+    page.evaluate(f"(mapping) => {store}.ask({{ type: 'set_mapping', character: 'one', mapping }})", BROWS)
+    wait_for(page, f"'brows' in {store}.air.macros")
+    page.evaluate(f"{store}.macro('brows').nudge(0.65)")
+    page.evaluate(f"{store}.ask({{ type: 'keep_setup', name: 'one pair of hands' }})")
+    wait_for(page, f"{store}.air.macros.brows.value === 0.65 && {store}.newest('setup_list')?.called")
+    wait_for(page, f"Math.abs({store}.air.head[1] - 0.2 * 0.84) < 0.02")
+    return page
+
+
+PAGES: dict[str, Callable[[Browser, str], Page]] = {
+    "console": console,
+    "green": green,
+    "editor": editor,
+    "mappings": mappings,
+}
 
 
 @contextmanager

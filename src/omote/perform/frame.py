@@ -321,8 +321,8 @@ class Frame:
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
     nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `macros`:
-    all that the character has. `pads`: those whose points have been moved since the last panic.
-    `springs`: how much of each is set, of those that are not 1.
+    all that the character has. `pads`: those whose points have been moved since the last panic. `springs`: how much of
+    each is set, of those that are not 1.
     """
 
     faces: Mapping[str, float]

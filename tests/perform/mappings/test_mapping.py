@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from typing import Any
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -81,3 +83,14 @@ def test_what_cannot_be_is_said(make: Any, said: str) -> None:
 def test_names_that_no_address_can_have_are_said(name: object) -> None:
     with pytest.raises(ValueError, match="macro"):
         check_macro_name(name)
+
+
+def test_what_was_left_out_is_told_as_it_counts() -> None:
+    """Pages read every field of a mapping."""
+    condition = {"reads": "macro/grip", "level": 0.5}
+    left_out = {"name": "mouth", "targets": [{"to": "channel/jawOpen"}]}
+    for given_fields in (left_out, {**left_out, "when": condition}):
+        told = msgspec.msgpack.decode(msgspec.msgpack.encode(msgspec.convert(given_fields, MacroMapping)))
+        assert told.keys() == {each.name for each in fields(MacroMapping)}
+        assert told["targets"][0].keys() == {each.name for each in fields(MacroTarget)}
+    assert told["when"].keys() == {each.name for each in fields(MacroCondition)}

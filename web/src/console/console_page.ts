@@ -41,23 +41,26 @@ import "./leases/lease_marks";
 import "./leases/seat_key";
 import "./panels/bank";
 import "./mixer/calibration_dialog";
-import "./devices/devices_dialog";
+import "./devices_dialog";
 import "./help";
 import "./learn/binding_marks";
 import "./learn/learn_mode";
+import type { TeachAsked } from "./mappings/mappings_panel";
+import "./mappings/mapping_learning";
 import "./message_log";
 import "./setup";
 import "./controls/light_row";
 import "./panels/on_air_mix";
 import "./panels/monitor";
 import "./controls/pad";
+import "./pads/pad_panel";
 import "./palette/palette";
 import "./panels/status_bar";
 import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
 
-type Dialog = "devices" | "help" | "keep" | "leases" | "log" | "setup";
+type Dialog = "devices" | "mappings" | "help" | "keep" | "leases" | "log" | "setup";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
@@ -73,6 +76,8 @@ export class ConsolePage extends ConsoleElement {
   @state() private restricted = false;
   /** What is touched is bound, not played. */
   @state() private learning = false;
+  /** The macro that is learned by touch, "" for none. */
+  @state() private taught = "";
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
@@ -130,7 +135,7 @@ export class ConsolePage extends ConsoleElement {
       <section class="panel air" aria-label="On air and coming">
         <omote-monitor class="live picture" .context=${context}></omote-monitor>
         <omote-head-frames class="live picture" .context=${context} .boxes=${this.#heads}></omote-head-frames>
-        <omote-characters class="live picture" .context=${context} @scene=${() => this.#toggle("scene")} @layers=${() => this.#toggle("layers")}></omote-characters>
+        <omote-characters class="live picture" .context=${context} @scene=${() => this.#toggle("scene")} @blend_pads=${() => this.#toggle("blend_pads")} @layers=${() => this.#toggle("layers")}></omote-characters>
         ${this.notices}
         <div class="mixes">
           <omote-mix class="live picture" .context=${context} .axis=${"face"}></omote-mix>
@@ -148,6 +153,7 @@ export class ConsolePage extends ConsoleElement {
         <omote-pad class="panel" .context=${context} .what=${"gaze"}></omote-pad>
       </section>
       <omote-bank class="panel live" .context=${context}></omote-bank>
+      ${shown === "blend_pads" ? html`<omote-pad-panel class="panel live" .context=${context} @close=${() => this.#toggle("blend_pads")}></omote-pad-panel>` : nothing}
       ${shown === "scene" ? html`<omote-scene-panel class="panel live" .context=${context} @close=${() => this.#toggle("scene")}></omote-scene-panel>` : nothing}
       ${shown === "layers" ? html`<omote-layer-panel class="panel live" .context=${context} @calibrate=${this.#calibrate} @close=${() => this.#toggle("layers")}></omote-layer-panel>` : nothing}
       <nav class="views live" role="tablist" aria-label="What is shown below">
@@ -167,13 +173,14 @@ export class ConsolePage extends ConsoleElement {
       ${menu === null ? nothing : html`<omote-tile-menu .context=${context} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
       ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
-      ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
+      ${this.taught === "" ? nothing : html`<omote-mapping-learning .context=${context} .name=${this.taught} @close=${this.#taught}></omote-mapping-learning>`}
+      ${dialog === "devices" || dialog === "mappings" ? html`<omote-devices-dialog .context=${context} .view=${dialog} @close=${this.#close} @teach=${this.#teach}></omote-devices-dialog>` : nothing}
       ${this.calibrated === "" ? nothing : html`<omote-calibration-dialog .context=${context} .name=${this.calibrated} @close=${this.#close}></omote-calibration-dialog>`}
       ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
       ${dialog === "keep" ? html`<omote-keep-dialog .context=${context} @close=${this.#close}></omote-keep-dialog>` : nothing}
       ${dialog === "leases" ? html`<omote-lease-dialog .context=${context} @close=${this.#close}></omote-lease-dialog>` : nothing}
       ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
-      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @learn=${this.#learn} @leases=${this.#openLeases} @moments=${() => this.show("keep")}></omote-setup>` : nothing}
+      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @mappings=${() => this.show("mappings")} @learn=${this.#learn} @leases=${this.#openLeases} @moments=${() => this.show("keep")}></omote-setup>` : nothing}
     `;
   }
 
@@ -191,13 +198,13 @@ export class ConsolePage extends ConsoleElement {
 
   readonly #heads = (): Monitor["heads"] => this.monitor.heads;
 
-  /** What is shown below while neither scene nor layers are. */
+  /** What is shown below while none of scene, layers and pads of looks is. */
   #below: ConsoleView = "palettes";
 
-  /** Opens scene or layers in the place of what is below, and closes them. */
-  #toggle(wanted: "scene" | "layers"): void {
+  /** Opens scene, layers or pads of looks in the place of what is below, and closes them. */
+  #toggle(wanted: (typeof IN_PLACE)[number]): void {
     const { view } = this.store.arrangement;
-    if (view !== "scene" && view !== "layers") this.#below = view;
+    if (!IN_PLACE.some((other) => other === view)) this.#below = view;
     this.store.arrange({ view: view === wanted ? this.#below : wanted });
   }
 
@@ -208,8 +215,18 @@ export class ConsolePage extends ConsoleElement {
 
   /** Begins to learn, or ends it. */
   readonly #learn = (): void => {
-    this.learning = !this.learning;
+    this.learning = !this.learning && this.taught === "";
     this.dialog = null;
+  };
+
+  readonly #teach = ({ detail }: TeachAsked): void => {
+    [this.taught, this.dialog] = [detail.name, null];
+  };
+
+  /** Learned or not: back to the macros. */
+  readonly #taught = (): void => {
+    this.taught = "";
+    this.show("mappings");
   };
 
   readonly #openDevices = (): void => {
@@ -270,7 +287,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
     else if (command.do === "bus") changeBus(this.store);
-    else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
+    else if (command.do === "scene" || command.do === "layers" || command.do === "blend_pads") this.#toggle(command.do);
     else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));
     else if (command.do === "focus" && command.place === "characters" && this.#keepPass()) return;
     else if (command.do === "focus")
@@ -300,6 +317,8 @@ export class ConsolePage extends ConsoleElement {
   }
 }
 
+/** What stands in the place of what is below. */
+const IN_PLACE = ["scene", "layers", "blend_pads"] as const;
 /** Where palettes, faders and pads take turns. */
 const IN_TURN = matchMedia(`${NARROW} or ${LOW}`);
 
@@ -318,6 +337,7 @@ const VIEW_LABELS: Readonly<Record<ConsoleView, readonly [string, string]>> = {
   palettes: ["Faces", ", expressions"],
   faders: ["Faders", ""],
   pads: ["Head", ", gaze"],
+  blend_pads: ["Pads", ""],
   scene: ["Scene", ""],
   layers: ["Layers", ""],
 };

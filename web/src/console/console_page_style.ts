@@ -104,11 +104,18 @@ export const style = css`
     grid-area: bank;
   }
   omote-scene-panel,
+  omote-pad-panel,
   omote-layer-panel {
     grid-area: hands-start / hands-start / bank-end / bank-end;
   }
-  :host(:is([data-view="scene"], [data-view="layers"])) :is(.hands, omote-bank) {
+  :host(:is([data-view="scene"], [data-view="layers"], [data-view="blend_pads"])) :is(.hands, omote-bank) {
     display: none;
+  }
+  /* what is played by a point wants a way to go */
+  @media (min-width: 900px) and (min-height: 721px) {
+    :host([data-view="blend_pads"]) {
+      grid-template-rows: 50px minmax(0, 1fr) auto minmax(280px, 43%);
+    }
   }
   .views {
     grid-area: views;
@@ -211,6 +218,7 @@ export const style = css`
     .hands,
     omote-bank,
     omote-scene-panel,
+    omote-pad-panel,
     omote-layer-panel {
       grid-area: below;
     }
@@ -256,6 +264,7 @@ export const style = css`
     .hands,
     omote-bank,
     omote-scene-panel,
+    omote-pad-panel,
     omote-layer-panel {
       grid-area: faces / faces-start / expressions / expressions-end;
     }
@@ -337,7 +346,14 @@ export const style = css`
       display: none; /* their keys stand with the characters */
     }
   }
-  @media (max-width: 359px) {
+  @media ${low} {
+    @media (max-width: 779px) {
+      .views [data-view="blend_pads"] {
+        display: none; /* no room for four: its key stands with the characters */
+      }
+    }
+  }
+  @media (max-width: 389px) {
     .views {
       gap: 3px;
     }

@@ -14,6 +14,7 @@ import { offersOf, offersStyle } from "./panels/offers";
 import type { Axis } from "./store/axis";
 import type { Topic } from "./store/page_store";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
+import "./mappings/setup_row";
 import "./show_file/setup_layouts";
 import "./setup_people";
 
@@ -93,11 +94,13 @@ export class Setup extends ConsoleDialog {
       <div class="row">
         <button data-open="learn" @click=${() => this.tell("learn")}>Learn</button>
         <button data-open="devices" @click=${() => this.tell("devices")}>Devices and bindings</button>
+        <button data-open="mappings" title="One number under a hand plays several targets, each by its curve" @click=${() => this.tell("mappings")}>Mappings</button>
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
+      <omote-setups .context=${this.context}></omote-setups>
       <h2>Cues and clips</h2>
       <p>Whole looks in the order of a show, recorded here and called by GO.</p>
-      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>
+      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/solo" target="omote-solo">Play alone</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>
         <button data-open="moments" @click=${() => this.tell("moments")}>Mark and keep</button></div>
       <div class="row"><a class="bus" href=${addressOn(this.store.bus === "air" ? "preview" : "air", location)}>${this.store.bus === "air" ? "Build a look up in preview, not on air" : "Back to what is on air"} (Shift P)</a></div>
       <h2>Bring in files</h2>

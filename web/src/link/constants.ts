@@ -2,10 +2,24 @@
 
 /** Pads of a show. */
 export const MOST_PADS = 32;
-/** Looks of a pad. */
+/** Looks of a pad at least. */
+export const FEWEST_LOOKS = 2;
+/** Looks of a pad at most. */
 export const MOST_LOOKS = 12;
 /** Between the places of two looks of a pad, which go from -1 to 1. */
 export const LEAST_APART = 0.06;
+/** Letters of the name of a macro. */
+export const LONGEST_MACRO = 40;
+/** Targets of a macro. */
+export const MOST_TARGETS = 8;
+/** Knots of the curve of a target. */
+export const MOST_KNOTS = 7;
+/** Between two knots of a curve, of the way of its macro. */
+export const NEAREST_KNOTS = 0.01;
+/** Seconds of the rise and of the fall of a target. */
+export const LONGEST_FOLLOWER = 5.0;
+/** Letters of the name of a set-up. */
+export const LONGEST_SETUP_NAME = 40;
 /** The name of the first character of a new show. */
 export const FIRST_CHARACTER = "one";
 /** In the place of a character: all of them; a framing: of all that are on the stage. */

@@ -1725,8 +1725,7 @@ export type PadPointState = { place: number[]; plays: boolean };
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
  * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
- * last panic.
- * `springs`: how much of each is set, of those that are not 1.
+ * last panic. `springs`: how much of each is set, of those that are not 1.
  */
 export type CharacterState = {
   faces: Record<string, number>;

@@ -134,6 +134,7 @@ class MacroTarget:
             seconds = check_within(getattr(self, name), 0.0, LONGEST_FOLLOWER, f"the {name} of {self.to} (seconds)")
             object.__setattr__(self, name, seconds)
         object.__setattr__(self, "curve", check_knots(self.curve, f"the curve of {self.to}"))
+        object.__setattr__(self, "below", self.below)  # msgspec tells a field that an object has itself, not by default
         if self.below is not None:
             check_within(self.below.high, low, high, f"what the macro gives {self.to} at -1")
 
@@ -224,6 +225,7 @@ class MacroCondition:
         hysteresis = check_within(self.hysteresis, 0.0, 1.0, "the hysteresis of a condition")
         object.__setattr__(self, "hysteresis", hysteresis)
         check_switch(self.above, "whether a condition is above its level")
+        object.__setattr__(self, "above", self.above)  # told as `below` of a target
 
     @cached_property
     def place(self) -> tuple[str, str]:
@@ -293,6 +295,7 @@ class MacroMapping:
         """Rejects what is no mapping."""
         check_macro_name(self.name)
         object.__setattr__(self, "targets", tuple(self.targets))
+        object.__setattr__(self, "when", self.when)  # told as `below` of a target
         if not 0 < len(self.targets) <= MOST_TARGETS:
             raise ValueError(f"the macro {self.name} has {len(self.targets)} targets; give 1 to {MOST_TARGETS}")
         reached = [target.to for target in self.targets]

@@ -13,6 +13,7 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/cues": "cues.html",
+    "/solo": "solo.html",
     "/notes": "notes.html",
     "/runs": "runs.html",
     "/clips": "clips.html",

@@ -58,6 +58,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/cues"): "view",
+        ("GET", "/solo"): "view",
         ("GET", "/notes"): "view",
         ("GET", "/runs"): "view",
         ("GET", "/clips"): "view",

@@ -161,8 +161,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
     `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
-    last panic.
-    `springs`: how much of each is set, of those that are not 1.
+    last panic. `springs`: how much of each is set, of those that are not 1.
     """
 
     faces: dict[str, float]

@@ -109,6 +109,7 @@ export class BindingForm extends DevicesElement {
       ${level ? this.#mode(binding) : nothing}
       ${level ? html`${this.#number("Low", "low", binding.low)} ${this.#number("High", "high", binding.high)}` : nothing}
       ${fader ? html`${this.#number("Curve (1 even, 2 fine below)", "curve", binding.curve)} ${this.#pickUp(binding)}` : nothing}
+      ${fader ? this.#number("Dead zone beside the middle of a stick, 0 to .45", "dead_zone", binding.dead_zone) : nothing}
       ${binding.relative === "" ? nothing : this.#number("Part of the range per step", "step", binding.step)}
       ${this.#text("Bank (none: in all)", "bank", binding.bank, [...new Set(this.devices.bindings.map(({ bank }) => bank))].filter(Boolean))}
       <div class="row">
@@ -135,7 +136,7 @@ export class BindingForm extends DevicesElement {
   }
 
   /** Empty: the target's own. */
-  #number(label: string, key: "low" | "high" | "curve" | "step", value: number | null) {
+  #number(label: string, key: "low" | "high" | "curve" | "step" | "dead_zone", value: number | null) {
     const own = key === "low" || key === "high";
     const read = (event: Event): void => {
       const text = textOf(event);
@@ -184,9 +185,14 @@ export class BindingForm extends DevicesElement {
     const characters = Object.keys(this.store.state?.characters ?? {});
     const own = ["face", "expression", "head", "gaze", "fade/face", "fade/expression", "panic"];
     const channels = this.store.expressions.map(({ name }) => `channel/${name}`);
-    const of = characters.flatMap((who) => [...own, ...channels].map((path) => `/omote/${who}/${path}`));
+    const of = characters.flatMap((who) =>
+      [...own, ...this.#macros(who), ...channels].map((path) => `/omote/${who}/${path}`),
+    );
     return [...of, ...SHOW_PATHS.map((path) => `/omote/${path}`)];
   }
+
+  readonly #macros = (who: string): string[] =>
+    Object.keys(this.store.state?.characters[who]?.macros ?? {}).map((name) => `macro/${name}`);
 
   readonly #keep = (event: Event): void => {
     event.preventDefault();

@@ -29,10 +29,13 @@ export const whoOf = (names: readonly string[]): string =>
 const moved = (who: string, path: string, axis = ""): Target => ({ to: `${ROOT}/${who}/${path}`, axis, arguments: [] });
 
 export const channelTarget = (who: string, name: string): Target => moved(who, `channel/${name}`);
+/** A macro; its middle is 0. */
+export const macroTarget = (who: string, name: string): Target => moved(who, `macro/${name}`);
 export const barTarget = (who: string, axis: Axis): Target => moved(who, `fade/${axis}`);
 export const layerTarget = (who: string, layer: string, part: string | null): Target =>
   moved(who, part === null ? `layer/${layer}` : `layer/${layer}/${part}`);
 export const directionTarget = (who: string, what: "head" | "gaze", part: string): Target => moved(who, what, part);
+export const padTarget = (who: string, name: string, axis: string): Target => moved(who, `pad/${name}`, axis);
 export const panicTarget = (who: string): Target => moved(who, "panic");
 export const releaseTarget = (who: string, axis: Axis): Target => moved(who, `release/${axis}`);
 export const lightTarget = (name: string, seconds: number): Target => ({
@@ -62,7 +65,9 @@ export const targetKey = ({ to, axis, arguments: [name] }: Target): string => JS
 
 /** Whether a fader moves it; a key alone plays the rest. */
 export const isLevel = ({ to }: Pick<Target, "to">): boolean =>
-  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|layer_on\/[^/]+|head|gaze|fade\/\w+|place|black)$/.test(to);
+  /\/(channel\/[^/]+|macro\/[^/]+|layer\/[^/]+(\/[^/]+)?|layer_on\/[^/]+|head|gaze|pad\/[^/]+|fade\/\w+|place|black)$/.test(
+    to,
+  );
 
 /** The character of an address, "" for what is the whole show's. */
 export function characterOf(to: string): string {
@@ -79,6 +84,8 @@ export function targetLabel(target: Target, labels: Pick<Labels, "label">): stri
   const time = seconds === undefined ? "" : typeof seconds === "number" ? `, ${seconds} s` : ", by hand";
   if (what === "channel") return labels.label("expression", name);
   if (what === "layer") return `influence of ${name}${part === "" ? "" : ` on ${part}`}`;
+  if (what === "macro") return `macro ${name}`;
+  if (what === "pad") return `pad ${name} ${target.axis}`.trim();
   if (what === "layer_on") return `${name} on or off`;
   if (what === "fade") return `${name} T-bar`;
   if (what === "release") return `let go of the ${name} T-bar`;

@@ -5,11 +5,11 @@ import { customElement } from "lit/decorators.js";
 import { listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import { whileShown } from "../../ui/topic_element";
-import { DevicesElement } from "../devices/devices_element";
+import { MappingsElement } from "../mappings/mappings_element";
 import { offersOf, offersStyle } from "../panels/offers";
 import { isPanic, stepOf } from "../store/keys";
 import type { Topic } from "../store/page_store";
-import "../devices/devices_panel";
+import "../mappings/devices_tabs";
 
 const style = css`
   :host {
@@ -54,7 +54,7 @@ const style = css`
 `;
 
 @customElement("omote-devices-page")
-export class DevicesPage extends DevicesElement {
+export class DevicesPage extends MappingsElement {
   static override styles = [palette, base, toolPage, offersStyle, style];
 
   protected override readonly topics: readonly Topic[] = ["link", "notice", "undo"];
@@ -77,7 +77,7 @@ export class DevicesPage extends DevicesElement {
         <button class="panic" title="Panic of all characters (Shift Backspace)" @pointerdown=${() => this.#panic()}
           @click=${(event: MouseEvent) => event.detail === 0 && this.#panic()}>PANIC</button>
       </header>
-      <omote-devices .context=${this.context}></omote-devices>`;
+      <omote-devices-tabs .context=${this.context}></omote-devices-tabs>`;
   }
 
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {

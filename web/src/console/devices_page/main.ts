@@ -10,6 +10,7 @@ import { FramePainter } from "../../ui/frame_painter";
 import { ConsoleName } from "../console_name";
 import { ConsoleDevices } from "../devices/console_devices";
 import { seatToken } from "../leases/seat_token";
+import { MappingCommands } from "../mappings/mapping_commands";
 import { keepUndo } from "../show_file/undo_storage";
 import { ConsoleStore } from "../store/console_store";
 import { DevicesPage } from "./devices_page";
@@ -47,7 +48,7 @@ async function start(): Promise<void> {
   const painter = new FramePainter();
   painter.add({ paint: () => store.flush() });
   const page = new DevicesPage();
-  page.context = { store, devices, painter };
+  page.context = { store, devices, mappings: new MappingCommands(store), painter };
   document.body.append(page);
   void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by devices")));
   painter.start();

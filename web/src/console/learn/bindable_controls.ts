@@ -15,14 +15,19 @@ import {
   directionTarget,
   layerTarget,
   lightTarget,
+  macroTarget,
   memoryTarget,
+  padTarget,
   type Target,
   targetKey,
   whoOf,
 } from "../devices/binding_target";
+import type { MacroFader } from "../mappings/macro_fader";
 import type { LayerFader } from "../mixer/layer_fader";
+import type { BlendPad } from "../pads/blend_pad";
 import type { Palette } from "../palette/palette";
 import type { ConsoleStore } from "../store/console_store";
+import type { PadAxis } from "../store/knob";
 
 export interface BindableControl {
   readonly element: HTMLElement;
@@ -46,6 +51,10 @@ type BindablePart = readonly [selector: string, read: (part: HTMLElement) => rea
 const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who: string) => readonly BindablePart[]>> =
   {
     "omote-fader": (element, _, who) => [[".slot", () => [channelTarget(who, (element as Fader).channel)], CHANNEL]],
+    "omote-macro-fader": (element, _, who) => {
+      const { name, range } = element as MacroFader;
+      return [[".slot", () => [macroTarget(who, name)], range]];
+    },
     "omote-tbar": (element, _, who) => [[".track", () => [barTarget(who, (element as TBar).axis)], UNIT]],
     "omote-layer-fader": (element, _, who) => {
       const { layer, region } = element as LayerFader;
@@ -57,6 +66,14 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
       return [
         [".field", () => turns("yaw", "pitch")],
         [".tilt", () => turns("roll")],
+      ];
+    },
+    "omote-blend-pad": (element, _, who) => {
+      const { pad, axes } = element as BlendPad;
+      const along = (...of: PadAxis[]) => of.map((axis) => padTarget(who, pad.name, axis));
+      return [
+        [".field", () => along(...axes.slice(0, 2))],
+        [".depth", () => along("z")],
       ];
     },
     "omote-palette": (element, store, who) => {
@@ -73,7 +90,7 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
   };
 const TAGS = Object.keys(PARTS).join(",");
 /** Elements that hold others of these. */
-const HOLDERS = "omote-bank,omote-layer-panel";
+const HOLDERS = "omote-bank,omote-layer-panel,omote-pad-panel";
 
 /** All of them below a root, in the order of the page. */
 export function findControls(root: ParentNode, store: ConsoleStore): BindableControl[] {

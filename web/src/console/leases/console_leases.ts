@@ -122,7 +122,7 @@ export class ConsoleLeases {
 
   /** Whether a hand of this console may move a control; else the operator reads who holds it. */
   #mayPlay(control: string): boolean {
-    const part = partOf(control);
+    const part = partOf(control, this.store.newest("pad_list")?.pads);
     const held = part === null ? new Map<string, SeatState>() : this.others(part);
     if (held.size > 0) {
       this.#again = null;

@@ -33,10 +33,21 @@ describe("held parts", () => {
   });
 
   it("are what controls play", () => {
-    expect(["fade_face", "set_channel:jawOpen", "set_head", "place"].map(partOf)).toEqual([
+    expect(["fade_face", "set_channel:jawOpen", "set_head", "place"].map((control) => partOf(control))).toEqual([
       "face",
       "channels",
       "head",
+      null,
+    ]);
+    const pads = (
+      [
+        ["lips", "mouth"],
+        ["cheeks", "rest"],
+      ] as const
+    ).map(([name, part]) => ({ name, part, dimensions: 2, looks: [], missing: [] }));
+    expect(["move_pad:lips", "move_pad:cheeks", "move_pad:gone"].map((control) => partOf(control, pads))).toEqual([
+      "mouth",
+      "expression",
       null,
     ]);
   });

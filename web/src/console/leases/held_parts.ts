@@ -1,7 +1,7 @@
 /** Who holds which parts, as pages read it: names of parts, and what is in the way of a hand. */
 
 import { ALL } from "../../link/constants";
-import type { Lease, Leases, SeatState } from "../../link/messages";
+import type { Lease, Leases, PadState, SeatState } from "../../link/messages";
 
 export type LeasePart = Lease["part"];
 /** The parts of a character, in the order of lists. */
@@ -30,8 +30,13 @@ const PLAYED: Readonly<Record<string, LeasePart>> = {
   set_gaze: "gaze",
 };
 
-/** The part that a control of a character plays; null for none. */
-export const partOf = (control: string): LeasePart | null => PLAYED[control.split(":")[0] as string] ?? null;
+/** The part that a control of a character plays, null for none; `pads`: those of the show. */
+export function partOf(control: string, pads: readonly PadState[] = []): LeasePart | null {
+  const [what = "", name] = control.split(":");
+  if (what !== "move_pad") return PLAYED[what] ?? null;
+  const part = pads.find((pad) => pad.name === name)?.part ?? null;
+  return part === "rest" ? "expression" : part;
+}
 
 /** The names of a part in `Leases.held`: of each of these characters, or of the scene. */
 export const keysOf = (characters: readonly string[], part: LeasePart): readonly string[] =>

@@ -15,6 +15,7 @@ const PANELS: readonly (readonly [string, readonly LeasePart[], string?])[] = [
   ["omote-bank", ["channels"]],
   [".hands omote-pad", ["head"]],
   [".hands omote-pad + omote-pad", ["gaze"]],
+  ["omote-pad-panel", ["expression", "face"]],
   ["omote-lights", ["light"]],
   ["omote-lights", ["black"], ".black"],
   ["omote-scene-panel", ["place", "framing"]],

@@ -1,12 +1,14 @@
-/** How much the character moves by itself: lids, eyes and the head that follows them, breath and small noise. */
+/** How much the character moves by itself: lids, eyes and the head that follows them, breath; and what swings of it. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
+import { SPRINGS } from "../../link/constants";
 import { base } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { otherStyle, paintOther } from "../controls/other_hand";
-import { type MotionDetail, STILL } from "../store/knob";
+import { type Knob, type MotionDetail, type SpringName, STILL } from "../store/knob";
+import type { Topic } from "../store/page_store";
 import { GazeTargetCommands } from "./gaze_target_commands";
 
 /** What each slider sets: its label, where it ends, and in words. */
@@ -16,6 +18,15 @@ const SLIDERS: readonly (readonly [MotionDetail, string, number, string])[] = [
   ["gaze", "Eye travel", 2, "How far the eyes wander, and the head with them"],
   ["breath", "Breath depth", 2, "How deep it breathes, and how much it trembles"],
 ];
+
+/** What each spring swings, in words: of a face that has such, and as much as it is lively. */
+const SPRING_WORDS: Readonly<Record<SpringName, readonly [label: string, title: string]>> = {
+  "ears-sway": ["Ears sway", "How far ears swing aside as the head turns and tilts; cats and dogs have such"],
+  "ears-flap": ["Ears flap", "How far ears swing up and down as the head nods; cats and dogs have such"],
+  "jowls-sway": ["Jowls sway", "How far the jowls of heavy faces swing as the head turns and tilts"],
+  "cheeks-bounce": ["Cheeks bounce", "How far cheeks bounce as the head nods and the jaw opens"],
+};
+const MOST_SPRING = 2;
 
 const style = css`
   :host {
@@ -37,7 +48,7 @@ const style = css`
   .way {
     position: relative;
     display: grid;
-    min-height: 24px;
+    min-height: 21px;
   }
   input[type="range"] {
     width: 100%;
@@ -58,21 +69,28 @@ const style = css`
 export class MotionSettings extends AnimatedElement {
   static override styles = [base, style, otherStyle];
 
+  protected override readonly topics: readonly Topic[] = ["manifest"];
+
   override render() {
-    return html`${SLIDERS.map(
-      ([detail, label, most, title]) =>
-        html`<label title=${title}><span>${label}</span>
-            <span class="way"><input type="range" name=${detail} min="0" max=${most} step="0.05"
-              @input=${(event: Event) => this.#set(detail, event)} @change=${() => this.store.motion(detail).leave()}
-              @dblclick=${() => this.store.motion(detail).nudge(STILL[detail])} /><span class="other"></span></span>
-            <span class="number"></span></label>`,
-    )}
+    const springs = SPRINGS.filter((spring) => this.store.expressions.some(({ name }) => name === spring));
+    return html`${SLIDERS.map(([detail, label, most, title]) => this.#slider(detail, label, most, title))}
       <button class="idle" aria-pressed="false" @click=${this.#idle}
-        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>`;
+        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>
+      ${springs.map((spring) => this.#slider(spring, SPRING_WORDS[spring][0], MOST_SPRING, SPRING_WORDS[spring][1]))}`;
   }
 
-  #set(detail: MotionDetail, event: Event): void {
-    this.store.motion(detail).grip(Number(textOf(event)));
+  #slider(name: MotionDetail | SpringName, label: string, most: number, title: string) {
+    const knob = (): Knob => this.#knob(name);
+    const rest = isSpring(name) ? 1 : STILL[name];
+    return html`<label title=${title}><span>${label}</span>
+      <span class="way"><input type="range" name=${name} min="0" max=${most} step="0.05"
+        @input=${(event: Event) => knob().grip(Number(textOf(event)))} @change=${() => knob().leave()}
+        @dblclick=${() => knob().nudge(rest)} /><span class="other"></span></span>
+      <span class="number"></span></label>`;
+  }
+
+  #knob(name: MotionDetail | SpringName): Knob {
+    return isSpring(name) ? this.store.spring(name) : this.store.motion(name);
   }
 
   readonly #idle = (): void => {
@@ -88,7 +106,7 @@ export class MotionSettings extends AnimatedElement {
   }
 
   #paintSlider(input: HTMLInputElement, now: number): void {
-    const knob = this.store.motion(input.name as MotionDetail);
+    const knob = this.#knob(input.name as MotionDetail | SpringName);
     const value = knob.value(now);
     if (!knob.gripped() && Number(input.value) !== value) input.value = String(value);
     const [way, write] = [input.parentElement as HTMLElement, this.write];
@@ -97,3 +115,5 @@ export class MotionSettings extends AnimatedElement {
     paintOther(write, way.querySelector(".other") as HTMLElement, this.store, knob, now);
   }
 }
+
+const isSpring = (name: MotionDetail | SpringName): name is SpringName => name in SPRING_WORDS;

@@ -17,6 +17,7 @@ import type { Axis } from "../store/axis";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
 import { calledRegions, regionMark, type ShownWeight, shownOf, targetsOf } from "../store/region_calls";
+import { carryLook } from "./look_drag";
 import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
 import { expressionGroups, faceGroups, foundIn, isOwn, type PaletteTile, type TileGroup } from "./tile_groups";
@@ -53,7 +54,7 @@ export class Palette extends AnimatedElement {
 
   static override styles = [base, style];
 
-  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement"];
+  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement", "pad_edit"];
 
   private get kind(): PaletteKind {
     return this.store.arrangement.kind;
@@ -235,6 +236,8 @@ export class Palette extends AnimatedElement {
       data-source=${tile.source}
       aria-label="${tile.label}${key === null ? "" : `, key ${key}`}"
       title=${[tile.name, ...tile.tags].join(", ")}
+      draggable=${this.store.editedPad === "" ? "false" : "true"}
+      @dragstart=${(event: DragEvent) => carryLook(event, this.axis, tile.name)}
       @click=${(event: MouseEvent) => this.#call(event, tile)}
     >
       <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>

@@ -1,17 +1,19 @@
-/** The bank of channel faders, by region of the face. */
+/** The bank of faders: channels by region of the face, and macros. */
 
 import { html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import type { ExpressionDocument } from "../../link/messages";
+import type { ExpressionDocument, MacroMapping } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
+import { isTwoWay } from "../mappings/macro_targets";
 import type { BankTab } from "../store/arrangement";
 import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
 import { handsOf } from "../store/held_state";
 import type { Topic } from "../store/page_store";
 import { style } from "./bank_style";
 import "../controls/fader";
+import "../mappings/macro_fader";
 
 const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
   neutral: "",
@@ -33,7 +35,7 @@ export class Bank extends AnimatedElement {
 
   static override styles = [base, style];
 
-  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement"];
+  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement", "mapping_list", "characters"];
 
   private get tab(): BankTab {
     return this.store.arrangement.tab;
@@ -43,12 +45,20 @@ export class Bank extends AnimatedElement {
   #shown(): readonly ExpressionDocument[] {
     const playable = this.store.expressions.filter((expression) => expression.kind !== "neutral");
     if (this.tab === "touched") return playable.filter((expression) => this.gathered.includes(expression.name));
-    return byRegion(playable).get(this.tab) ?? [];
+    return this.tab === "macros" ? [] : (byRegion(playable).get(this.tab) ?? []);
+  }
+
+  get #macros(): readonly MacroMapping[] {
+    return this.context.mappings.list;
   }
 
   #touched(): string[] {
     const channels = this.store.air ? handsOf(this.store.air).channels : {};
     return Object.keys(channels).filter((name) => channels[name] !== 0);
+  }
+
+  #movedMacros(): string[] {
+    return Object.entries(this.store.air?.macros ?? {}).flatMap(([name, { value }]) => (value === 0 ? [] : [name]));
   }
 
   #open(tab: BankTab): void {
@@ -57,7 +67,8 @@ export class Bank extends AnimatedElement {
   }
 
   override render() {
-    const tabs: BankTab[] = ["touched", ...byRegion(this.store.expressions).keys()];
+    const macros: BankTab[] = this.#macros.length > 0 || this.tab === "macros" ? ["macros"] : [];
+    const tabs: BankTab[] = ["touched", ...macros, ...byRegion(this.store.expressions).keys()];
     const shown = this.#shown();
     return html`
       <header>
@@ -78,13 +89,30 @@ export class Bank extends AnimatedElement {
         >
           Link R L
         </button>
-        <button data-clear="region" @click=${() => this.store.clearChannels(shown.map((expression) => expression.name))}>
+        <button data-clear="region" @click=${() => this.#clear(shown)}>
           Clear ${this.tab}
         </button>
         <button data-clear="all" @click=${() => this.store.clearChannels(this.#touched())}>Clear all</button>
       </header>
-      <div class="strips" @scroll=${this.#hint}>${this.#strips(stripsOf(shown))}</div>
+      <div class="strips" @scroll=${this.#hint}>${this.tab === "macros" ? this.#macroStrips() : this.#strips(stripsOf(shown))}</div>
     `;
+  }
+
+  /** Puts what is shown to rest. */
+  #clear(shown: readonly ExpressionDocument[]): void {
+    if (this.tab !== "macros") this.store.clearChannels(shown.map(({ name }) => name));
+    else for (const { name } of this.#macros) this.store.macro(name).nudge(0);
+  }
+
+  #macroStrips() {
+    if (this.#macros.length === 0) return html`<div class="empty">No macro: Set-up, Mappings</div>`;
+    return repeat(
+      this.#macros,
+      (mapping) => `${this.context.mappings.character} ${mapping.name} ${isTwoWay(mapping)}`,
+      (mapping) => html`<div class="strip single"><div class="faders">
+          <omote-macro-fader .context=${this.context} .name=${mapping.name} .both=${isTwoWay(mapping)}></omote-macro-fader></div>
+        <div class="label" title=${mapping.name}>${mapping.name}</div></div>`,
+    );
   }
 
   override firstUpdated(): void {
@@ -135,7 +163,12 @@ export class Bank extends AnimatedElement {
     const regions = byRegionCached(this.store.expressions);
     for (const button of this.nav.querySelectorAll<HTMLElement>("button")) {
       const tab = button.dataset.tab as BankTab;
-      const names = tab === "touched" ? [...touched] : (regions.get(tab) ?? []).filter((name) => touched.has(name));
+      const names =
+        tab === "macros"
+          ? this.#movedMacros()
+          : tab === "touched"
+            ? [...touched]
+            : (regions.get(tab) ?? []).filter((name) => touched.has(name));
       this.write.text(button.querySelector(".count") as Element, names.length === 0 ? "" : String(names.length));
     }
   }

@@ -84,7 +84,8 @@ export const style = css`
     justify-content: center;
     min-height: 0;
   }
-  omote-fader {
+  omote-fader,
+  omote-macro-fader {
     flex: 1 0 34px;
   }
   .label {
@@ -93,6 +94,7 @@ export const style = css`
     text-align: center;
     color: var(--dim);
     overflow: hidden;
+    overflow-wrap: anywhere;
   }
   .label small {
     display: block;

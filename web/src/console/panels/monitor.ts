@@ -1,7 +1,7 @@
 /** The monitor: the scene on air, or one character of it, drawn only when it changes. */
 
 import { css, html } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import { FaceView } from "../../face/face_view";
 import type { PictureBox } from "../../face/framing";
 import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scene_pose";
@@ -47,6 +47,9 @@ const style = css`
     ${previewColours}
     font-size: 11px;
   }
+  :host([bare]) .tally {
+    display: none;
+  }
   .tally.small {
     left: 4px;
     top: 4px;
@@ -84,6 +87,8 @@ export class Monitor extends AnimatedElement {
   @state() private black = "";
   /** The face has been drawn: before that nothing shows of what is on air. */
   @state() private drawn = false;
+  /** No badge stands on the picture: the page says elsewhere what is on air. */
+  @property({ type: Boolean, reflect: true }) bare = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   #view: FaceView | null = null;
   #pose = "";

@@ -86,12 +86,25 @@ const style = css`
       display: block;
     }
   }
+  @media ${low} {
+    @media (min-width: 780px) {
+      .blend_pads {
+        display: none; /* it stands below the picture */
+      }
+    }
+  }
   @media ${narrow} or ${low} {
     .still {
       display: none; /* the picture is small; the mixer has it */
     }
   }
+  @media (pointer: coarse) {
+    .several .still {
+      display: none; /* beside the keys of characters there is room for as many as these; the mixer has it */
+    }
+  }
   @media (pointer: coarse) and (max-width: 1100px) and (max-height: 560px) {
+    .several .blend_pads,
     .still {
       display: none; /* with keys for fingers it would be a third row */
     }
@@ -139,7 +152,7 @@ const style = css`
   }
 `;
 
-/** A key for each character, one for all, one for places and framing, one for a close-up, one that holds still, one for layers, one to add another (a double click is one). Tells `scene`, `layers`. */
+/** A key for each character, one for all, one for places and framing, one for a close-up, one that holds still, one for pads of looks, one for layers, one to add another (a double click is one). Tells `scene`, `blend_pads`, `layers`. */
 @customElement("omote-characters")
 export class CharacterRow extends AnimatedElement {
   static override styles = [base, style];
@@ -156,11 +169,13 @@ export class CharacterRow extends AnimatedElement {
     const several = characters.length > 1;
     const commands = new SceneCommands(this.store);
     const why = commands.whyFull;
-    return html`<div class="row" role="group" aria-label="Characters">
+    return html`<div class="row ${several ? "several" : ""}" role="group" aria-label="Characters">
       ${several ? html`<div class="names">${characters.map(([name, character]) => this.#key(name, character))}</div>` : nothing}
       <div class="tools">${several ? this.#choice(characters) : nothing}
       <button class="still" aria-pressed="false" title="Holds still; else it blinks, breathes and looks about as people do (')"
         @click=${() => toggleStill(this.store)}>Still</button>
+      <button class="view blend_pads" title="Pads: mixtures of looks (Shift H)" aria-pressed=${this.store.arrangement.view === "blend_pads"}
+        @click=${() => this.tell("blend_pads")}>Pads</button>
       <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.arrangement.view === "layers"}
         @click=${() => this.tell("layers")}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}

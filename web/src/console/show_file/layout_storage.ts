@@ -8,9 +8,9 @@ import type { Change } from "../store/undo_history";
 /** The layout that a console opens with where nobody has arranged it; the crew may save its own under this name. */
 export const DEFAULT_LAYOUT = "Default";
 
-/** The layout that the address chooses: `?layout=left`. */
-export const layoutName = (search: string): string =>
-  new URLSearchParams(search).get("layout")?.slice(0, 80) || DEFAULT_LAYOUT;
+/** The layout that the address chooses: `?layout=left`; `usual`: the one without. */
+export const layoutName = (search: string, usual: string = DEFAULT_LAYOUT): string =>
+  new URLSearchParams(search).get("layout")?.slice(0, 80) || usual;
 
 /** Reads a layout's document from the show file; null where there is none. */
 export type ReadLayout = (name: string) => Promise<string | null>;

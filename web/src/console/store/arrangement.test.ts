@@ -14,6 +14,8 @@ const OTHER: Arrangement = {
   springs: { head: false, gaze: true },
   view: "pads",
   mixer: "gaze",
+  pads: ["lips", "moods"],
+  solo: { looks: true, lines: false, head: true },
   alone: true,
 };
 
@@ -24,7 +26,7 @@ describe("a console's arrangement", () => {
   });
 
   it("is small enough for a message", () => {
-    expect(written(OTHER).length).toBeLessThan(400);
+    expect(written(OTHER).length).toBeLessThan(500);
   });
 
   it("of before own faces had a palette of their own shows all", () => {
@@ -52,6 +54,13 @@ describe("a console's arrangement", () => {
     expect(timings.face).toEqual({ seconds: FIRST.timing.face.seconds, easing: "late", byHand: true });
     expect(timings.expression).toEqual({ seconds: 1, easing: "smooth", byHand: false });
     expect(view).toBe(FIRST.view);
+  });
+
+  it("of before pads were chosen has those of the cast first, and what are no names is told", () => {
+    const { pads: _, solo: __, ...before } = OTHER;
+    expect(parsed(written(before as Arrangement))).toEqual({ ...OTHER, pads: FIRST.pads, solo: FIRST.solo });
+    for (const wrong of [{ pads: "mouth" }, { pads: [1] }, { solo: null }, { solo: { looks: true } }])
+      expect(parsed(JSON.stringify({ ...OTHER, version: 2, ...wrong }))).toMatch(/names what this console has not/);
   });
 
   it("brings nothing with it that it does not know", () => {

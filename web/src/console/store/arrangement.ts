@@ -1,6 +1,6 @@
 /** How an operator has laid out the console, and as a document that this one, or another tablet, opens the same from. */
 
-import { DEFAULT_EASING, EASING_NAMES } from "../../link/constants";
+import { DEFAULT_EASING, EASING_NAMES, MOST_PADS } from "../../link/constants";
 import { isRecord, readJson } from "../../ui/browser_storage";
 import type { Axis } from "./axis";
 import { REGIONS, type Region } from "./channels";
@@ -10,13 +10,17 @@ import { LONGEST, type Timing } from "./timing";
 export const KINDS = ["performed", "own", "arkit", "makehuman", "clips"] as const;
 export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
-export type BankTab = Region | "touched";
-/** What is shown below: the scene, or the layers, in the place of faders and pads; the others take turns where there is no room for all. */
-export const VIEWS = ["palettes", "faders", "pads", "scene", "layers"] as const;
+export type BankTab = Region | "touched" | "macros";
+/** What is shown below: the scene, the layers or the pads of looks (`blend_pads`) in the place of faders and the pads of head and gaze; the others take turns where there is no room for all. */
+export const VIEWS = ["palettes", "faders", "pads", "blend_pads", "scene", "layers"] as const;
 export type ConsoleView = (typeof VIEWS)[number];
 /** Which group of the mixer is shown; the strips stand beside the others where there is room. */
 export const MIXER_GROUPS = ["strips", "sources", "parts", "motion", "gaze", "speech"] as const;
 export type MixerGroup = (typeof MIXER_GROUPS)[number];
+
+/** What the page of one person can show beside its pads, picture and cues: keys of memories, tiles of clips, the pad of the head. */
+export const SOLO_PARTS = ["looks", "lines", "head"] as const;
+export type SoloPart = (typeof SOLO_PARTS)[number];
 
 export interface Arrangement {
   readonly timing: Readonly<Record<Axis, Timing>>;
@@ -30,6 +34,10 @@ export interface Arrangement {
   readonly springs: Readonly<Record<"head" | "gaze", boolean>>;
   readonly view: ConsoleView;
   readonly mixer: MixerGroup;
+  /** The pads of looks that stand first, by name: the page of one person has the first two. */
+  readonly pads: readonly string[];
+  /** What the page of one person shows beside them. */
+  readonly solo: Readonly<Record<SoloPart, boolean>>;
   /** The picture shows the character that is played, and not the scene. */
   readonly alone: boolean;
 }
@@ -46,6 +54,8 @@ export const FIRST: Arrangement = {
   springs: { head: true, gaze: true },
   view: "palettes",
   mixer: "strips",
+  pads: ["mouth", "moods"],
+  solo: { looks: true, lines: true, head: true },
   alone: false,
 };
 
@@ -70,10 +80,10 @@ export function parsed(document: string): Arrangement | string {
     : { timing: { face, expression }, ...shown };
 }
 
-/** What is shown, and how; layouts of before know no own faces, views, scenes, springs and groups, and of calls by hand no seconds. */
+/** What is shown, and how; layouts of before know no own faces, views, scenes, springs, groups and pads, and of calls by hand no seconds. */
 function shownIn(stored: Record<string, unknown>): Omit<Arrangement, "timing"> | null {
-  const { ownFaces, springs, view, mixer, alone } = FIRST;
-  const all: Record<string, unknown> = { ownFaces, springs, view, mixer, alone, ...stored };
+  const { ownFaces, springs, view, mixer, pads, solo, alone } = FIRST;
+  const all: Record<string, unknown> = { ownFaces, springs, view, mixer, pads, solo, alone, ...stored };
   const parts = Object.entries(PARTS);
   if (!parts.every(([name, isPart]) => isPart(all[name]))) return null;
   return Object.fromEntries(parts.map(([name]) => [name, all[name]])) as unknown as Omit<Arrangement, "timing">;
@@ -86,12 +96,14 @@ const isOneOf = (choices: readonly string[], value: unknown): boolean => choices
 /** What each part of a document must be. */
 const PARTS: Readonly<Record<keyof Omit<Arrangement, "timing">, (value: unknown) => boolean>> = {
   kind: (value) => isOneOf(KINDS, value),
-  tab: (value) => isOneOf([...REGIONS, "touched"], value),
+  tab: (value) => isOneOf([...REGIONS, "touched", "macros"], value),
   linked: isSwitch,
   ownFaces: isSwitch,
   springs: (value) => isRecord(value) && isSwitch(value.head) && isSwitch(value.gaze),
   view: (value) => isOneOf(VIEWS, value),
   mixer: (value) => isOneOf(MIXER_GROUPS, value),
+  pads: (value) => Array.isArray(value) && value.length <= MOST_PADS && value.every((name) => typeof name === "string"),
+  solo: (value) => isRecord(value) && SOLO_PARTS.every((part) => isSwitch(value[part])),
   alone: isSwitch,
 };
 

@@ -101,6 +101,27 @@ describe("calls", () => {
   });
 });
 
+describe("the point of a pad", () => {
+  const moved = () => sent.filter((message) => message.type === "move_pad");
+
+  it("is moved along the dimensions that a hand is on, in one message, and shows what the show says once it is off", () => {
+    store.receive(withOne({ pads: { moods: { place: [0.5, -0.25], plays: true } } }));
+    const [x, y] = [store.pad("moods", "x"), store.pad("moods", "y")];
+    expect([x.value(now), y.value(now), x.control]).toEqual([0.5, -0.25, "move_pad:moods"]);
+    x.grip(0.75);
+    store.flush();
+    y.nudge(0.1);
+    store.flush();
+    expect(moved()).toEqual([
+      { type: "move_pad", character: "one", name: "moods", x: 0.75 },
+      { type: "move_pad", character: "one", name: "moods", x: 0.75, y: 0.1 },
+    ]);
+    x.leave();
+    now += ECHO + 1;
+    expect([x.value(now), y.value(now), store.pad("mouth", "x").value(now)]).toEqual([0.5, -0.25, 0]);
+  });
+});
+
 describe("a T-bar that was left in the middle", () => {
   const call = {
     target: "old",

@@ -57,11 +57,13 @@ export class ConsoleStore extends PageStore {
     super();
     this.#requests = new Requests(id);
     this.#outbox = new Outbox(send);
-    const host = { air: () => this.air, targets: () => this.played.targets, now, mayAct: this.#mayAct };
+    const { played } = this;
+    const withMacro = (name: string): readonly string[] => played.withMacro(name);
+    const host = { air: () => this.air, targets: () => played.targets, withMacro, now, mayAct: this.#mayAct };
     this.#knobs = new Knobs(host, this.#outbox);
     this.hear("state", (state) => this.#receiveState(state));
     this.hear("refused", (message) => this.#receiveRefused(message));
-    for (const tag of ["kept", "item_changed", "bindings_changed", "recording_kept"] as const)
+    for (const tag of ["kept", "item_changed", "bindings_changed", "recording_kept", "setup_changed"] as const)
       this.hear(tag, (answer) => this.#requests.receive(answer));
   }
 
@@ -348,7 +350,12 @@ export class ConsoleStore extends PageStore {
   readonly gaze = (part: GazePart): Knob => this.#knobs.gaze(part);
   /** How much of a layer shows. */
   readonly layer: Knobs["layer"] = (...of) => this.#knobs.layer(...of);
+  /** Where the point of a pad stands along a dimension of it. */
+  readonly pad: Knobs["pad"] = (...of) => this.#knobs.pad(...of);
   readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
+  readonly spring: Knobs["spring"] = (name) => this.#knobs.spring(name);
+  /** Where a macro is. */
+  readonly macro: Knobs["macro"] = (name) => this.#knobs.macro(name);
 
   /** Where a T-bar stands, under the hand of this console or of another. */
   bar(axis: Axis): Knob {

@@ -24,6 +24,7 @@ export type Command =
   | { do: "black"; seconds: 0 | null }
   | { do: "scene" }
   | { do: "layers" }
+  | { do: "blend_pads" }
   | { do: "go" }
   | { do: "mark" }
   | { do: "moments" }
@@ -68,6 +69,7 @@ const SHIFTED: Readonly<Record<string, Command>> = {
   KeyV: { do: "black", seconds: 0 },
   KeyB: { do: "black", seconds: null },
   KeyP: { do: "bus" },
+  KeyH: { do: "blend_pads" },
   KeyM: { do: "mark" },
   KeyK: { do: "moments" },
 };
@@ -98,6 +100,10 @@ export const HELP: readonly (readonly [string, string])[] = [
   ],
   ["P", "Places, framing and names of the characters, and back to faders and pads"],
   [";", "Layers of the character as a mixer, and back to faders and pads"],
+  [
+    "Shift H",
+    "Pads: mixtures of looks under one point, and back to faders and head; their tiles are dragged onto one while it is edited",
+  ],
   ["'", "The characters played here hold still; again: they blink, breathe and look about as people do"],
   ["L", "To the lights; then Tab and Enter"],
   ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],

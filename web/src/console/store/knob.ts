@@ -1,5 +1,6 @@
 /** Values that hands can hold: channels, head, gaze and T-bars. */
 
+import type { SPRINGS } from "../../link/constants";
 import type { CharacterState, FromClient } from "../../link/messages";
 import type { Axis } from "./axis";
 import { handsOf } from "./held_state";
@@ -33,8 +34,12 @@ export type HeadPart = "yaw" | "pitch" | "roll";
 export type GazePart = "yaw" | "pitch";
 /** What is set of a character's automatic motion by hand. */
 export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
+export type SpringName = (typeof SPRINGS)[number];
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
+/** The dimensions of a pad, in order. */
+export type PadAxis = "x" | "y" | "z";
+export const PAD_AXES: readonly PadAxis[] = ["x", "y", "z"];
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
 export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
@@ -44,6 +49,8 @@ export interface KnobHost {
   air(): CharacterState | null;
   /** Whom messages are for. */
   targets(): readonly string[];
+  /** Those of whom a macro is that are played. */
+  withMacro(name: string): readonly string[];
   now(): number;
   /** Whether what moves a control can be sent; else the operator has been told. */
   mayAct(control: string): boolean;
@@ -102,6 +109,15 @@ export class Knobs {
     return this.#knob([`gaze:${part}`], (state) => handsOf(state).gaze[GAZE.indexOf(part)] ?? 0, this.#putGaze);
   }
 
+  /** Where the point of a pad stands along one of its dimensions, -1..1. */
+  pad(name: string, axis: PadAxis): Knob {
+    return this.#knob(
+      [`pad:${name}:${axis}`],
+      (state) => state.pads[name]?.place[PAD_AXES.indexOf(axis)] ?? 0,
+      () => this.#putPad(name),
+    );
+  }
+
   /** How much of a layer shows, in a part of the character or, `null`, on the whole. */
   layer(layer: LayerName, part: LayerPart | null): Knob {
     const key = part === null ? `layer:${layer}` : `layer:${layer}:${part}`;
@@ -119,6 +135,29 @@ export class Knobs {
       [key],
       (state) => (state.motion ?? STILL)[detail],
       (value) => this.#put(key, (character) => ({ type: "set_motion", character, [detail]: value })),
+    );
+  }
+
+  /** How much of a spring shows. */
+  spring(name: SpringName): Knob {
+    const key = `spring:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.springs[name] ?? 1,
+      (amount) => this.#put(key, (character) => ({ type: "set_spring", character, name, amount })),
+    );
+  }
+
+  /** A macro: of each character that is played and has one of the name. */
+  macro(name: string): Knob {
+    const key = `macro:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.macros[name]?.value ?? 0,
+      (value) => {
+        for (const character of this.host.withMacro(name))
+          this.outbox.put(`${character}/${key}`, { type: "move_macro", character, name, value });
+      },
     );
   }
 
@@ -141,6 +180,14 @@ export class Knobs {
     const [yaw, pitch] = GAZE.map((part) => this.gaze(part).value(this.host.now())) as [number, number];
     this.#put("gaze", (character) => ({ type: "set_gaze", character, yaw, pitch }));
   };
+
+  /** What hands elsewhere move of the same pad stays theirs: only the dimensions that are under a hand here go along. */
+  #putPad(name: string): void {
+    const now = this.host.now();
+    const here = PAD_AXES.map((axis) => [axis, this.pad(name, axis)] as const).filter(([, knob]) => knob.counts(now));
+    const place = Object.fromEntries(here.map(([axis, knob]) => [axis, knob.value(now)]));
+    this.#put(`pad:${name}`, (character) => ({ type: "move_pad", character, name, ...place }));
+  }
 
   /** Another has what a hand here is on: it shows what is on air. */
   #lose(keys: readonly string[]): void {
@@ -190,10 +237,12 @@ export class Knobs {
 
 /**
  * What `Hands` calls what a key stands for: `channel:jawOpen` is moved by `set_channel:jawOpen`, `layer:lips` by
- * `set_layer:lips`, `head:yaw` by `set_head`.
+ * `set_layer:lips`, `macro:mouth` by `move_macro:mouth`, `head:yaw` by `set_head`, `pad:moods:x` by `move_pad:moods`.
  */
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
-  if (what === "channel" || what === "layer") return `set_${key}`;
+  if (what === "pad") return `move_pad:${name}`;
+  if (what === "channel" || what === "layer" || what === "spring") return `set_${key}`;
+  if (what === "macro") return `move_${key}`;
   return name === undefined ? key : `set_${what}`;
 }

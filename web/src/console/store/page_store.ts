@@ -31,6 +31,7 @@ type PageTopic =
   | "panic"
   | "characters"
   | "naming"
+  | "pad_edit"
   | "undo"
   | "show"
   | "import";
@@ -80,6 +81,8 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
   tone: "attention" | "done" = "attention";
   offers: readonly Offer[] = [];
   arrangement: Arrangement = FIRST;
+  /** The pad of looks that is edited at this page, on which tiles can be dragged; "" for none. */
+  editedPad = "";
   /** Where the next calls of expressions go: one region of the face alone; null: the whole face. */
   region: PlayRegion | null = null;
   /** Milliseconds there and back, or null before the first pong. */
@@ -177,6 +180,12 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
     if (region !== null && byHand)
       this.say(`No T-bar moves one region alone: calls there take ${secondsLabel(seconds)} s.`, "done");
     this.tell("timing");
+  }
+
+  /** Edits a pad of looks; "" for none. */
+  editPad(name: string): void {
+    this.editedPad = name;
+    this.tell("pad_edit");
   }
 
   /** The way there and back took `milliseconds`. */

@@ -72,6 +72,12 @@ export class PlayedCharacters {
     return all ? [ALL] : names;
   }
 
+  /** Those that are played and have a macro of a name. */
+  withMacro(name: string): readonly string[] {
+    const characters = this.state()?.characters ?? {};
+    return this.names.filter((played) => name in (characters[played]?.macros ?? {}));
+  }
+
   /** The weights of a channel of each that is played; `lead`: what it shows of the lead. */
   weights(name: string, lead: number): (readonly [string, string, number])[] {
     const characters = this.state()?.characters ?? {};

@@ -1,10 +1,11 @@
 /** The devices panel over the console. */
 
 import { css, html } from "lit";
-import { customElement } from "lit/decorators.js";
-import { base } from "../../ui/theme";
-import { ConsoleDialog, sheet } from "../controls/console_dialog";
-import "./devices_panel";
+import { customElement, property } from "lit/decorators.js";
+import { base } from "../ui/theme";
+import { ConsoleDialog, sheet } from "./controls/console_dialog";
+import type { DevicesView } from "./mappings/devices_tabs";
+import "./mappings/devices_tabs";
 
 const style = css`
   section {
@@ -27,17 +28,18 @@ const style = css`
   }
 `;
 
-/** Over everything else but the bar. Tells `close`. */
+/** Over everything else but the bar. Tells `close`, and `teach` where a macro is to be learned by touch. */
 @customElement("omote-devices-dialog")
 export class DevicesDialog extends ConsoleDialog {
   protected override readonly first = ".close";
+  @property() view: DevicesView = "devices";
   static override styles = [base, sheet, style];
 
   override render() {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Devices">
-      <header><h2>Devices</h2><a href="/devices" target="omote-devices">On a page of its own</a>
+      <header><h2>Devices</h2><a href="/devices${this.view === "mappings" ? "#mappings" : ""}" target="omote-devices">On a page of its own</a>
         <button class="close" @click=${this.close}>Close</button></header>
-      <omote-devices .context=${this.context}></omote-devices>
+      <omote-devices-tabs .context=${this.context} .view=${this.view} teaches></omote-devices-tabs>
     </section>`;
   }
 }

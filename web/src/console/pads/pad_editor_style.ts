@@ -1,0 +1,85 @@
+import { css } from "lit";
+import { entry } from "../../ui/theme";
+
+export const padEditorStyle = css`
+  :host {
+    border-color: var(--attention);
+  }
+  .body {
+    flex: 1;
+    min-height: 0;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) 148px;
+    gap: 6px;
+  }
+  .look {
+    pointer-events: auto;
+    cursor: grab;
+    touch-action: none;
+  }
+  .look.chosen canvas {
+    border-color: var(--attention);
+  }
+  .field.over {
+    outline: 3px dashed var(--coming);
+    outline-offset: -3px;
+  }
+  .dot {
+    opacity: 0.6;
+  }
+  .tools {
+    display: grid;
+    grid-template-columns: repeat(2, minmax(0, 1fr));
+    align-content: start;
+    gap: 4px;
+    min-height: 0;
+    overflow: hidden auto;
+    scrollbar-width: thin;
+    scrollbar-color: var(--edge) transparent;
+  }
+  .tools > :is(.whole, .search, input) {
+    grid-column: 1 / -1;
+  }
+  .tools button {
+    min-width: 0;
+    padding: 0 4px;
+    color: var(--text);
+    font-size: 12px;
+  }
+  input {
+    ${entry}
+    width: 100%;
+    min-height: 28px;
+  }
+  .search {
+    position: relative;
+    display: grid;
+    gap: 2px;
+  }
+  .found button {
+    display: block;
+    width: 100%;
+    overflow: hidden;
+    text-align: left;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .found button.first {
+    border-color: var(--hand);
+  }
+  .hint {
+    position: absolute;
+    inset: auto 8px 8px;
+    padding: 4px 8px;
+    border-radius: 4px;
+    text-align: center;
+    color: var(--attention);
+    background: #000c;
+    pointer-events: none;
+  }
+  @container pads (max-width: 480px) {
+    .body {
+      grid-template-columns: minmax(0, 1fr) 112px;
+    }
+  }
+`;

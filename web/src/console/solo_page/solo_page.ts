@@ -1,0 +1,243 @@
+/** The page for one person alone: two pads, the face, keys for looks and lines, and what comes next. */
+
+import { html, nothing } from "lit";
+import { customElement, property, query, queryAll, state } from "lit/decorators.js";
+import type { Library } from "../../link/assets";
+import { pressed } from "../../ui/gestures";
+import { hasFieldFocus, listenToKeys } from "../../ui/key_presses";
+import { base, palette } from "../../ui/theme";
+import { hearWhileShown, textOf, whileShown } from "../../ui/topic_element";
+import { clipsFound, pressClip } from "../clips/clip_tiles";
+import { ConsoleElement } from "../controls/console_element";
+import type { CueStore } from "../cues/cue_store";
+import type { BlendPad } from "../pads/blend_pad";
+import { padsOf } from "../pads/pad_commands";
+import type { Monitor } from "../panels/monitor";
+import { offersStyle, viewOffers } from "../panels/offers";
+import type { MemoryRow } from "../scene/memory_row";
+import { SOLO_PARTS, type SoloPart } from "../store/arrangement";
+import { isPanic, stepOf } from "../store/keys";
+import type { Topic } from "../store/page_store";
+import { toggleStill } from "../store/stillness";
+import { SOLO_KEYS, type SoloCommand, soloCommandOf } from "./solo_keys";
+import { soloPageStyle } from "./solo_page_style";
+import "../clips/clip_tiles";
+import "../clips/record_light";
+import "../controls/pad";
+import "../learn/binding_marks";
+import "../learn/learn_mode";
+import "../leases/lease_marks";
+import "../pads/blend_pad";
+import "../panels/monitor";
+import "../scene/memory_row";
+import "../../ui/keys_help";
+import "./liveliness";
+import "./next_cue";
+
+const PART_LABELS: Readonly<Record<SoloPart, string>> = {
+  looks: "Looks: keys of memories",
+  lines: "Lines: clips of the show",
+  head: "Pad of the head",
+};
+const SIDES = ["left", "right"] as const;
+
+@customElement("omote-solo")
+export class SoloPage extends ConsoleElement {
+  @property({ attribute: false }) cues!: CueStore;
+  @state() private help = false;
+  @state() private learning = false;
+  /** What the page shows is chosen. */
+  @state() private choosing = false;
+  @query("omote-monitor") private monitor!: Monitor;
+  @query("omote-memories") private memories!: MemoryRow | null;
+  @queryAll("omote-blend-pad") private pads!: NodeListOf<BlendPad>;
+
+  static override styles = [palette, base, offersStyle, soloPageStyle];
+
+  protected override readonly topics: readonly Topic[] = [
+    "link",
+    "call",
+    "notice",
+    "arrangement",
+    "characters",
+    "manifest",
+    "pad_list",
+    "panic",
+    "undo",
+  ];
+
+  constructor() {
+    super();
+    whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
+    hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
+    const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
+    hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
+  }
+
+  /** Gives the picture the cast to draw. */
+  async open(library: Library): Promise<void> {
+    await this.updateComplete;
+    await this.monitor.open(library);
+  }
+
+  /** Lets hands off everything, where this page may only look. */
+  restrict(sentence: string | null): void {
+    this.classList.toggle("view-only", sentence !== null);
+    if (sentence !== null) this.store.say(sentence);
+  }
+
+  override render() {
+    const { context, store } = this;
+    const { solo } = store.arrangement;
+    this.classList.toggle("lost", !store.online);
+    this.classList.toggle("preview", store.bus === "preview");
+    for (const part of SOLO_PARTS) this.toggleAttribute(part, solo[part]);
+    return html`${this.#header()}
+      ${solo.lines ? html`<section class="lines panel live" aria-label="Lines"><omote-clip-tiles .context=${context}></omote-clip-tiles></section>` : nothing}
+      <section class="face panel" aria-label="On air"><omote-monitor bare .context=${context}></omote-monitor></section>
+      <omote-next-cue class="panel live" .cues=${this.cues}></omote-next-cue>
+      ${SIDES.map((side, at) => this.#pad(side, at))}
+      ${solo.head ? html`<omote-pad class="head panel live" .context=${context} .what=${"head"}></omote-pad>` : nothing}
+      ${solo.looks ? html`<omote-memories class="panel live" .context=${context}></omote-memories>` : nothing}
+      <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
+      <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
+      ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
+      ${this.help ? html`<omote-keys-help .keys=${SOLO_KEYS} @close=${() => (this.help = false)}></omote-keys-help>` : nothing}`;
+  }
+
+  #header() {
+    const { store } = this;
+    const panic = pressed(() => store.panic());
+    const said = store.notice;
+    return html`<header><div class="bar panel"><h1>SOLO</h1>
+        ${this.#characters()}<span class="air ${store.goesBlack ? "black" : ""}">${this.#airWords}</span>
+        <omote-record-light .context=${this.context}></omote-record-light>
+        ${store.online ? nothing : html`<span class="lost-link" role="alert">LINK LOST</span>`}
+        <span class="notice ${store.tone} ${said === null ? "none" : ""}" role="status">${said ?? ""} ${viewOffers(said === null ? this.#back : [...store.offers, ...this.#back], () => store.say(null))}</span>
+        <omote-liveliness class="live" .context=${this.context}></omote-liveliness>
+        <button class="black live" aria-pressed=${store.goesBlack} title="Fade all stages to black; again: up (Shift B)" @click=${() => store.callBlack()}>Black</button>
+        <button class="show" aria-expanded=${this.choosing} title="What this page shows" @click=${() => (this.choosing = !this.choosing)}>Show ▾</button>
+        <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => (this.help = true)}>?</button>
+        ${this.choosing ? this.#choice() : nothing}
+      </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button></header>`;
+  }
+
+  /** The ways back from a panic. */
+  get #back() {
+    return this.context.panicReturn.question?.offers ?? [];
+  }
+
+  #characters() {
+    const { state: shown, played } = this.store;
+    const all = Object.entries(shown?.characters ?? {});
+    return all.length < 2
+      ? nothing
+      : html`<span role="group" aria-label="Characters">${all.map(
+          ([
+            name,
+            { label },
+          ]) => html`<button data-character=${name} aria-pressed=${played.names.includes(name)} title="Play ${label}; with Shift beside the others"
+            @click=${(event: MouseEvent) => this.store.play(played.pressed(name, event.shiftKey))}>${label}</button>`,
+        )}</span>`;
+  }
+
+  /** Who is on air. */
+  get #airWords(): string {
+    const { air, bus, goesBlack } = this.store;
+    if (air === null) return "…";
+    const [face = ""] = Object.entries(air.faces).reduce((best, next) => (next[1] > best[1] ? next : best), ["", 0]);
+    const target = this.store.callOf("face")?.target ?? face;
+    const where = bus === "preview" ? "PREVIEW" : goesBlack ? "BLACK" : "ON AIR";
+    return `${where} · ${air.label} · ${this.store.label("face", target)}`;
+  }
+
+  /** What the page shows, and the layout that keeps it. */
+  #choice() {
+    const { store, context } = this;
+    const { solo } = store.arrangement;
+    const { layouts } = context;
+    return html`<div class="chosen" role="group" aria-label="What this page shows">
+      ${SOLO_PARTS.map((part) => html`<label><input type="checkbox" .checked=${solo[part]} @change=${() => store.arrange({ solo: { ...solo, [part]: !solo[part] } })} />${PART_LABELS[part]}</label>`)}
+      <omote-liveliness .context=${context}></omote-liveliness>
+      <button data-do="save" title="Every page of the show can open with it: /solo?layout=${layouts.chosen}" @click=${() => void layouts.save(layouts.chosen)}>Save as layout ${layouts.chosen}</button>
+      <button data-do="learn" title="Dials, sticks and keys of devices (Z)" @click=${this.#learn}>Learn a device</button>
+      <button class="keys" @click=${this.#showHelp}>Keys</button>
+      <a href="/console" target="omote-console">Console</a><a href="/cues" target="omote-cues">Cues</a></div>`;
+  }
+
+  /** The pad of one side, and the choice of another. */
+  #pad(side: (typeof SIDES)[number], at: number) {
+    const pads = padsOf(this.store);
+    const pad = pads[at];
+    if (pad === undefined)
+      return html`<div class="${side} panel empty">No pad: make one at the console (Shift H).</div>`;
+    return html`<omote-blend-pad bare class="${side} panel live" data-pad=${pad.name} .context=${this.context} .pad=${pad}>
+      <select aria-label="The ${side} pad" @change=${(event: Event) => this.#choosePad(at, textOf(event))}>${pads.map(({ name }) => html`<option value=${name} .selected=${name === pad.name}>${name}</option>`)}</select></omote-blend-pad>`;
+  }
+
+  /** Puts a pad on one side; where the other has it, they change sides. */
+  #choosePad(at: number, name: string): void {
+    const shown = padsOf(this.store)
+      .slice(0, 2)
+      .map((pad) => pad.name);
+    const sides = shown.map((before, side) => (side === at ? name : before === name ? (shown[at] as string) : before));
+    const others = this.store.arrangement.pads.filter((other) => !sides.includes(other));
+    this.store.arrange({ pads: [...sides, ...others] });
+  }
+
+  readonly #learn = (): void => {
+    this.learning = !this.learning;
+    this.choosing = false;
+  };
+
+  readonly #showHelp = (): void => {
+    [this.help, this.choosing] = [true, false];
+  };
+
+  readonly #openDevices = (): void => void open("/devices", "omote-devices");
+
+  readonly #keyEverywhere = (event: KeyboardEvent): boolean => {
+    if (isPanic(event) && !event.repeat) this.store.panic(event.ctrlKey);
+    return isPanic(event);
+  };
+
+  readonly #key = (event: KeyboardEvent, typing: boolean): void => {
+    const step = typing ? null : stepOf(event);
+    const command = step === null ? soloCommandOf(event, typing) : null;
+    if (event.key === "Escape") this.choosing = false;
+    if (step === null && command === null) return;
+    event.preventDefault();
+    if (step !== null && !event.repeat) this.store[step]();
+    else if (command !== null) this.#obey(command);
+  };
+
+  #obey(command: SoloCommand): void {
+    const { store } = this;
+    if (command.do === "go") this.cues.go();
+    else if (command.do === "back") this.cues.back();
+    else if (command.do === "look") this.memories?.press(command.name);
+    else if (command.do === "line") this.#playLine(command.index);
+    else if (command.do === "still") toggleStill(store);
+    else if (command.do === "centre") store.centre();
+    else if (command.do === "learn") this.#learn();
+    else if (command.do === "help") this.#showHelp();
+    else if (command.do === "black") store.callBlack(command.seconds);
+    else if (command.do === "focus") this.#focusOn(command.place);
+  }
+
+  #playLine(index: number): void {
+    const clip = clipsFound(this.store, "")[index];
+    if (clip !== undefined) pressClip(this.store, clip);
+  }
+
+  #focusOn(place: "left" | "right" | "head"): void {
+    if (place === "head") this.renderRoot.querySelector<HTMLElement>("omote-pad")?.focus();
+    else this.pads[SIDES.indexOf(place)]?.focus();
+  }
+
+  /** The space bar is GO alone: the button in focus is not pressed by it too. */
+  readonly #spaceUp = (event: KeyboardEvent): void => {
+    const [element] = event.composedPath();
+    if (event.code === "Space" && element instanceof HTMLButtonElement) event.preventDefault();
+  };
+}
