@@ -343,7 +343,8 @@ def main() -> int:
         seconds = time.process_time() - started
         print(
             f"{protocol:8} {count} packets, seed {options.seed}, {seconds:.0f} s: "
-            f"{raised} exceptions, {unsound} states with what is no number"
+            f"{raised} exceptions, {unsound} states with what is no number",
+            flush=True,
         )
         good = good and raised == unsound == 0
     return 0 if good else 1
