@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.conftest import playing
+from tests.browser.cut_off import cut_off
 from tests.browser.pictures import picture
 from tests.browser.waiting import wait_until
 from tests.inputs.sounds.test_sound_file import wav
@@ -20,25 +21,7 @@ OpenPage = Callable[..., Page]
 CLIPS = "document.querySelector('omote-clips-page').clips"
 DESK = "document.querySelector('omote-console').context.store"
 SIZES = [(1440, 900, False), (1024, 768, True), (768, 1024, True), (390, 844, True)]
-CUT = """() => {
-    const found = [];
-    const walk = (root) => {
-        for (const one of root.querySelectorAll("*")) {
-            if (one.shadowRoot) walk(one.shadowRoot);
-            const box = one.getBoundingClientRect();
-            if (!one.matches("button, input, a, select, time") || box.width === 0) continue;
-            if (root.host.localName === "omote-clip-settings") continue; // it scrolls on a phone
-            const narrow = one.matches("button") && one.scrollWidth > one.clientWidth + 1;
-            if (box.left < 0 || box.right > innerWidth + 1 || narrow)
-                found.push(`${one.className || one.localName} ${one.textContent.trim()} cut`);
-            if (matchMedia("(pointer: coarse)").matches && one.matches("button, select") && (box.height < 43.9))
-                found.push(`${one.className || one.localName} ${one.textContent.trim()} ${box.height}`);
-        }
-    };
-    walk(document.querySelector("omote-clips-page").shadowRoot);
-    if (document.documentElement.scrollWidth > innerWidth) found.push("the page");
-    return found;
-}"""
+SEEN = ("omote-clips-page", "button, input, a, select, time")
 
 
 @pytest.fixture(scope="module")
@@ -238,7 +221,7 @@ def test_nothing_is_cut_and_fingers_have_room(open_page: OpenPage) -> None:
         fingers = {"has_touch": True, "is_mobile": True} if touch else {}
         sized = clip_page(open_page, width=width, height=height, **fingers)
         wait_until(sized, f"{CLIPS}.lanes.length > 0")
-        assert sized.evaluate(CUT) == [], (width, height)
+        assert cut_off(sized, *SEEN) == [], (width, height)
 
 
 def test_nothing_moves_on_an_upright_tablet_when_a_pass_begins(open_page: OpenPage) -> None:

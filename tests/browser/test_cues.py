@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.conftest import playing
+from tests.browser.cut_off import cut_off
 from tests.browser.pictures import picture
 from tests.browser.waiting import wait_until
 
@@ -21,24 +22,7 @@ ONE = f"{CUES}.show.state.characters.one"
 NUMBERS = f"{CUES}.list.map(({{ number }}) => number).join()"
 STANDBY = f"{CUES}.way.standby?.number"
 SIZES = [("near", 1440, 900, ""), ("tablet", 1024, 768, ""), ("phone", 390, 844, ""), ("far", 1280, 800, "?far")]
-CUT = """() => {
-    const found = [];
-    const walk = (root) => {
-        for (const one of root.querySelectorAll("*")) {
-            if (one.shadowRoot) walk(one.shadowRoot);
-            const box = one.getBoundingClientRect();
-            if (!one.matches("button, input, a, .number, .clock, .next .label") || box.width === 0) continue;
-            if (one.closest("ol")) continue; // a list scrolls
-            const scrolls = root.host.localName === "omote-cue-editor" || root.host.localName === "omote-cue-field";
-            if (box.left < 0 || box.right > innerWidth || (!scrolls && (box.top < 0 || box.bottom > innerHeight)) ||
-                (one.matches("button") && one.scrollWidth > one.clientWidth + 1))
-                found.push(`${one.className || one.localName} ${one.textContent.trim()}`);
-        }
-    };
-    walk(document.querySelector("omote-cues-page").shadowRoot);
-    if (document.documentElement.scrollWidth > innerWidth) found.push("the page");
-    return found;
-}"""
+SEEN = ("omote-cues-page", "button, input, a, .number, .clock, .next .label")
 
 
 @pytest.fixture(scope="module")
@@ -292,7 +276,7 @@ def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int
     if not page.evaluate(f"{CUES}.list.length"):
         call(page, {"type": "put_cue", "number": "12.5", "label": "Everybody leaves but the dog", "note": "Slowly"})
     wait_until(page, f"{STANDBY} !== undefined && {CUES}.list.length > 0")
-    assert page.evaluate(CUT) == []
+    assert cut_off(page, *SEEN) == []
     if view == "far":
         sizes = [("number", 210), ("label", 80)]
         for name, size in sizes:
@@ -305,7 +289,7 @@ def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int
         assert min(go["width"], go["height"]) >= 110
         page.keyboard.press("e")
         expect(page.locator("omote-cue-editor .closer")).to_be_visible()
-        assert page.evaluate(CUT) == []
+        assert cut_off(page, *SEEN) == []
 
 
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 768)])

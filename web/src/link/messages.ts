@@ -209,7 +209,7 @@ export type Clips = { type: "clips"; names: string[] };
 
 /**
  * A pass that is recorded. `name`: of the clip; `parts`, `lane`: of the new lane; `by`: who records it. It began at
- * `began`, of `State.time`, where the time of the clip was `start`.
+ * `began`, of `State.time`, where the time of the clip was `start`, and a second of the show is `speed` of it.
  */
 export type ClipPass = {
   character: string;
@@ -219,6 +219,7 @@ export type ClipPass = {
   by: string;
   began: number;
   start: number;
+  speed: number;
 };
 
 /**
@@ -290,7 +291,8 @@ export type StopClip = { type: "stop_clip"; character: string; name?: string; se
  * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
  * `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
  * `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
- * in .4 s.
+ * in .4 s. `speed`: .25 to 1 seconds of the clip a second; what it has plays so, what is recorded is kept in the
+ * clip's own time, and below 1 no sound is heard.
  */
 export type RecordClip = {
   type: "record_clip";
@@ -301,6 +303,7 @@ export type RecordClip = {
   lane?: string;
   sound?: string;
   start?: number | null;
+  speed?: number;
 };
 
 /** Ends the pass of a character and keeps it; `keep`: or forgets it. */

@@ -26,6 +26,8 @@ from omote.show.objects.speech import PlaySound, StopSpeaking
 
 LONGEST_PASS = 600.0
 """Seconds; what is longer is cut into clips."""
+SLOWEST_PASS = 0.25
+"""Of the clip's own time: what is played more slowly looks like no motion to who plays along."""
 TRIM_ROUNDS = 1e-3
 """Seconds by which pages round where a clip begins and ends."""
 FEWEST_FRAMES = 3
@@ -40,7 +42,7 @@ NO_WORK = wire.ClipWork([], 0)
 class Pass:
     """A pass that is recorded. name: of the clip; parts, lane: of the new lane; began: seconds of the scene; offset:
     what the time of the clip is then; by: who records it; sound: that the clip has from now on, "" for that which it
-    has."""
+    has; speed: seconds of the clip a second of the scene."""
 
     name: str
     parts: tuple[LayerPart, ...]
@@ -50,6 +52,11 @@ class Pass:
     builder: CurveBuilder
     by: str = ""
     sound: str = ""
+    speed: float = 1.0
+
+    def at(self, time: float) -> float:
+        """What the time of the clip is. time: seconds of the scene."""
+        return (time - self.began) * self.speed + self.offset
 
 
 class ShowClips:
@@ -120,7 +127,7 @@ class ShowClips:
                 continue
             if running.builder.frames == 0:
                 running.builder.add(running.offset, shown.frame)
-            running.builder.add(frame.time - running.began + running.offset, shown.frame)
+            running.builder.add(running.at(frame.time), shown.frame)
 
     def end_passes(self) -> list[Outgoing]:
         """Ends passes that are over by themselves; returns what consoles are told of it."""
@@ -139,7 +146,9 @@ class ShowClips:
     def work(self) -> wire.ClipWork:
         """What is recorded, and how often clips were edited."""
         passes = [
-            wire.ClipPass(character, each.name, list(each.parts), each.lane, each.by, each.began, each.offset)
+            wire.ClipPass(
+                character, each.name, list(each.parts), each.lane, each.by, each.began, each.offset, each.speed
+            )
             for character, each in self._passes.items()
         ]
         return wire.ClipWork(passes, self._edits)
@@ -192,6 +201,7 @@ class ShowClips:
         if character in self._passes:
             raise ValueError(f"a pass of {character} is recorded already; keep it, or forget it, first")
         parts = tuple(message.parts) or LAYER_PARTS
+        speed = check_within(message.speed, SLOWEST_PASS, 1.0, "the speed of a pass")
         clip = self.clips.get(message.name)
         name = message.name if clip is not None else self._free(message.name)
         offset = 0.0 if clip is None else clip.start if message.start is None else message.start
@@ -201,27 +211,34 @@ class ShowClips:
             if heard:
                 start = offset - clip.start
                 again = wire.PlayClip(
-                    character, name, name, MEETING_SECONDS, start, speed=1.0, loop=False, weights=heard
+                    character, name, name, MEETING_SECONDS, start, speed=speed, loop=False, weights=heard
                 )
                 self._play(again)
-        self._play_along(character, message.sound, clip, offset)
+        self._play_along(character, message.sound, clip, offset, speed)
         builder = CurveBuilder(self._cast())
-        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, by, message.sound)
+        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, by, message.sound, speed)
         return ()
 
-    def _play_along(self, character: str, sound: str, clip: Clip | None, offset: float) -> None:
+    def _play_along(self, character: str, sound: str, clip: Clip | None, offset: float, speed: float) -> None:
         """Has the sound heard to which a pass is played: a new one a moment later, so that its beginning is heard; that
-        of the clip where the clip has it, if it is there. offset: what the time of the clip is."""
-        if sound:
-            key = self._check_sound(sound)
-            self._play(PlaySound(character, key, key, SOUND_LEAD_SECONDS))
-        elif clip is not None and clip.sound:
-            try:
-                key = self._check_sound(clip.sound)
-            except ValueError as error:
-                self._lose(f"a pass of {character} is recorded without its sound: {error}.")
-            else:
-                self._play(PlaySound(character, key, key, clip.sound_at - offset))
+        of the clip where the clip has it, if it is there. offset: what the time of the clip is; speed: of the pass; at
+        another than 1 none is heard, as of a clip."""
+        named = sound or ("" if clip is None else clip.sound)
+        if not named:
+            return
+        try:
+            key = self._check_sound(named)
+        except ValueError as error:
+            if sound:
+                raise
+            self._lose(f"a pass of {character} is recorded without its sound: {error}.")
+            return
+        if speed != 1.0:
+            why = f"it plays at the speed {speed:g}, its sound at 1 alone"
+            self._lose(f"a pass of {character} is recorded without its sound: {why}.")
+            return
+        delay = SOUND_LEAD_SECONDS if sound or clip is None else clip.sound_at - offset
+        self._play(PlaySound(character, key, key, delay))
 
     def end_pass(self, message: wire.KeepPass) -> Sequence[Outgoing]:
         """Ends a pass. message: says of whom, and whether it is kept."""
@@ -235,7 +252,7 @@ class ShowClips:
         clip = self.clips.get(ended.name)
         if character in scene:
             self._play(wire.StopClip(character, ended.name))
-            if ended.sound or (clip is not None and clip.sound):
+            if ended.speed == 1.0 and (ended.sound or (clip is not None and clip.sound)):
                 self._play(StopSpeaking(character))
         if not keep:
             return []
@@ -244,7 +261,8 @@ class ShowClips:
         told = self.add_pass(ended.name, ended.builder.curve(), ended.parts, ended.lane)
         if not ended.sound:
             return told
-        heard = replace(self._named(ended.name), sound=ended.sound, sound_at=ended.offset + SOUND_LEAD_SECONDS)
+        lead = SOUND_LEAD_SECONDS if ended.speed == 1.0 else 0.0
+        heard = replace(self._named(ended.name), sound=ended.sound, sound_at=ended.offset + lead)
         return [*told, *self.put(ended.name, heard)]
 
     def edit_clip(self, message: wire.EditClip) -> Sequence[Outgoing]:

@@ -150,7 +150,7 @@ READ_ROUTES[address_of(StoredClip.kind)] = "view"
 
 class ClipPass(msgspec.Struct, frozen=True):
     """A pass that is recorded. `name`: of the clip; `parts`, `lane`: of the new lane; `by`: who records it. It began at
-    `began`, of `State.time`, where the time of the clip was `start`."""
+    `began`, of `State.time`, where the time of the clip was `start`, and a second of the show is `speed` of it."""
 
     character: str
     name: str
@@ -159,6 +159,7 @@ class ClipPass(msgspec.Struct, frozen=True):
     by: str
     began: float
     start: float
+    speed: float = 1.0
 
 
 class ClipWork(ServerMessage, frozen=True):
@@ -302,7 +303,8 @@ class RecordClip(ClipCommand, frozen=True):
     (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
     `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
     `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
-    in .4 s."""
+    in .4 s. `speed`: .25 to 1 seconds of the clip a second; what it has plays so, what is recorded is kept in the
+    clip's own time, and below 1 no sound is heard."""
 
     osc = (osc("record_clip", "records what shows as a pass of the clip of this name", "name"),)
 
@@ -313,6 +315,7 @@ class RecordClip(ClipCommand, frozen=True):
     lane: LaneName = ""
     sound: SoundKey = ""
     start: float | None = None
+    speed: float = 1.0
 
 
 class KeepPass(ClipCommand, frozen=True):

@@ -22,6 +22,7 @@ describe("the keys of the clip page", () => {
       part: "mouth",
       how: "beside",
     });
+    expect(clipCommandOf(press("KeyS"), false)).toEqual({ do: "slow" });
     expect(clipCommandOf(press("Digit0"), false)).toEqual({ do: "zoom", way: 0 });
     expect(clipCommandOf(press("ArrowLeft", { altKey: true, shiftKey: true }), false)).toEqual({
       do: "shift",

@@ -4,7 +4,21 @@ import { LAYER_PARTS } from "../../link/constants";
 import type { KeyPress } from "../../ui/gestures";
 
 export type ClipCommand =
-  | { do: "play" | "record" | "keep" | "discard" | "count_in" | "loop" | "mute" | "again" | "new" | "help" | "search" }
+  | {
+      do:
+        | "play"
+        | "record"
+        | "keep"
+        | "discard"
+        | "count_in"
+        | "slow"
+        | "loop"
+        | "mute"
+        | "again"
+        | "new"
+        | "help"
+        | "search";
+    }
   | { do: "mark"; end: "from" | "to" }
   | { do: "step"; seconds: number }
   | { do: "shift"; seconds: number }
@@ -23,6 +37,7 @@ const PLAIN: Readonly<Record<string, ClipCommand>> = {
   Escape: { do: "discard" },
   KeyA: { do: "arm_all" },
   KeyC: { do: "count_in" },
+  KeyS: { do: "slow" },
   KeyL: { do: "loop" },
   KeyM: { do: "mute" },
   KeyG: { do: "again" },
@@ -54,6 +69,7 @@ export const CLIP_KEYS: readonly (readonly [string, string])[] = [
   ["Shift 1 – 6", "Arms it beside the others, or not"],
   ["A", "Arms all parts"],
   ["C", "Three seconds are counted in before a pass begins, or not"],
+  ["S", "Passes are recorded at half speed, or at full speed; no sound is heard at half"],
   ["K", "Keeps the pass that is recorded"],
   ["Esc", "Discards the pass that is recorded; else no span is selected. Out of a field"],
   ["↑ ↓", "Another lane"],

@@ -22,9 +22,16 @@ export function endPass(show: ConsoleStore, { character, lane, name }: ClipPass,
   show.say(keep ? `Kept in ${name}: lane ${lane}.` : "The pass is discarded.", "done");
 }
 
+/** The speeds at which the page of clips records, seconds of the clip a second. */
+export const PASS_SPEEDS = [1, 0.75, 0.5, 0.25] as const;
+const SPEED_WORDS: Readonly<Record<number, string>> = { 1: "", 0.75: " at three quarter speed", 0.5: " at half speed" };
+
+/** A speed as it is said behind what is recorded; "" for the full one. */
+const speedWords = (speed: number): string => SPEED_WORDS[speed] ?? ` at ${Math.round(speed * 100)} % of its speed`;
+
 /** Where in the time of its clip a pass is; `time`: of the show. */
-export const positionOf = (pass: Pick<ClipPass, "began" | "start">, time: number): number =>
-  pass.start + Math.max(0, time - pass.began);
+export const positionOf = (pass: Pick<ClipPass, "began" | "start" | "speed">, time: number): number =>
+  pass.start + Math.max(0, time - pass.began) * pass.speed;
 
 /** Minutes, seconds and tenths: `1:04.2`. */
 export function clipTime(seconds: number): string {
@@ -38,12 +45,12 @@ export const partsLabel = (parts: readonly string[], all: number): string =>
   parts.length === all ? "all parts" : parts.join(", ");
 
 /** Who records what of whom; `label`: of the character. */
-export const passWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
-  `${by === "" ? "A program" : by} records ${partsLabel(parts, all)} of ${label} in ${name}`;
+export const passWords = ({ by, parts, name, speed }: ClipPass, label: string, all: number): string =>
+  `${by === "" ? "A program" : by} records ${partsLabel(parts, all)} of ${label} in ${name}${speedWords(speed)}`;
 
 /** The same where there is little room: what is last is cut first. */
-export const lightWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
-  `${partsLabel(parts, all)} of ${label}, ${name}${by === "" ? "" : ` · ${by}`}`;
+export const lightWords = ({ by, parts, name, speed }: ClipPass, label: string, all: number): string =>
+  `${partsLabel(parts, all)} of ${label}, ${name}${speedWords(speed)}${by === "" ? "" : ` · ${by}`}`;
 
 /** What a pass gives its clip, as people read it. */
 export const passLabel = ({ parts, lane }: Pick<ClipPass, "parts" | "lane">): string =>

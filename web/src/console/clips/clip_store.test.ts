@@ -83,7 +83,15 @@ beforeEach(async () => {
 describe("the store of clips", () => {
   it("shows the first clip from its start, and reads it again after each edit", async () => {
     expect([clips.name, clips.cursor, clips.lanes.length]).toEqual(["line", 0.5, 2]);
-    const pass = { character: "one", name: "line", lane: "head", parts: ["head" as const], began: 100, start: 0 };
+    const pass = {
+      character: "one",
+      name: "line",
+      lane: "head",
+      parts: ["head" as const],
+      began: 100,
+      start: 0,
+      speed: 1,
+    };
     work(1, pass);
     stored.line = outline("mouth", "brows", "head");
     work(2);
@@ -115,6 +123,24 @@ describe("the store of clips", () => {
     expect(last()).toMatchObject({ type: "record_clip", name: "line", parts: ["mouth"], lane: "mouth 2", start: 0.5 });
   });
 
+  it("records at the speed that is chosen, and says that no sound is heard then", () => {
+    clips.setCountIn(false);
+    clips.setPassSpeed(0.5);
+    clips.record();
+    expect(last()).toMatchObject({ type: "record_clip", name: "line", speed: 0.5 });
+    expect(show.notice).toBe(null);
+    const pass = { character: "one", name: "line", lane: "2", parts: [], by: "Anna", began: 100, start: 1, speed: 0.5 };
+    work(1, pass);
+    tick(104);
+    expect(clips.position).toBe(3);
+    work(2);
+    clips.choose("new");
+    clips.setSound("monologue");
+    clips.record();
+    expect(last()).toMatchObject({ name: "new", sound: "monologue", speed: 0.5 });
+    expect(show.notice).toBe("Not at full speed: no sound is heard in this pass.");
+  });
+
   it("keeps and discards the pass, and says which", () => {
     show.receive({ type: "welcome", name: "Anna" } as unknown as FromServer);
     const pass = {
@@ -125,6 +151,7 @@ describe("the store of clips", () => {
       by: "Anna",
       began: 100,
       start: 0.5,
+      speed: 1,
     };
     work(1, pass);
     tick(102);
@@ -146,7 +173,16 @@ describe("the store of clips", () => {
     clips.select({ from: 3, to: 5 });
     clips.recordAgain();
     expect(last()).toMatchObject({ type: "record_clip", parts: ["mouth"], lane: "again", start: 1 });
-    work(1, { character: "one", name: "line", lane: "again", parts: ["mouth"], by: "", began: 100, start: 1 });
+    work(1, {
+      character: "one",
+      name: "line",
+      lane: "again",
+      parts: ["mouth"],
+      by: "",
+      began: 100,
+      start: 1,
+      speed: 1,
+    });
     tick(103.9);
     expect(last()).toMatchObject({ type: "record_clip" });
     tick(104.2);
@@ -181,7 +217,7 @@ describe("the store of clips", () => {
 
   it("drops a clip again that a pass has made", () => {
     clips.choose("new");
-    work(1, { character: "one", name: "new", lane: "all", parts: ["mouth"], by: "", began: 100, start: 0 });
+    work(1, { character: "one", name: "new", lane: "all", parts: ["mouth"], by: "", began: 100, start: 0, speed: 1 });
     clips.keep();
     expect(kinds()).toEqual(["keep_pass"]);
     show.undo();
@@ -308,7 +344,16 @@ describe("the store of clips", () => {
 
   it("asks before it ends a pass that somebody else records", () => {
     show.receive({ type: "welcome", name: "Ben" } as unknown as FromServer);
-    work(1, { character: "one", name: "line", lane: "mouth 2", parts: ["mouth"], by: "Anna", began: 100, start: 0.5 });
+    work(1, {
+      character: "one",
+      name: "line",
+      lane: "mouth 2",
+      parts: ["mouth"],
+      by: "Anna",
+      began: 100,
+      start: 0.5,
+      speed: 1,
+    });
     for (const press of [() => clips.record(), () => clips.togglePlay(), () => clips.keep(), () => clips.discard()]) {
       show.say(null);
       press();
@@ -320,7 +365,16 @@ describe("the store of clips", () => {
   });
 
   it("says that a pass goes on after a panic", () => {
-    work(1, { character: "one", name: "line", lane: "mouth 2", parts: ["mouth"], by: "", began: 100, start: 0.5 });
+    work(1, {
+      character: "one",
+      name: "line",
+      lane: "mouth 2",
+      parts: ["mouth"],
+      by: "",
+      began: 100,
+      start: 0.5,
+      speed: 1,
+    });
     panics += 1;
     tick(101);
     expect(show.notice).toContain("the pass goes on, and records the neutral face");

@@ -62,6 +62,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** The parts that are recorded next. */
   armed: ReadonlySet<Part> = new Set(LAYER_PARTS);
   countsIn = true;
+  /** At what speed passes are recorded: seconds of the clip a second. */
+  passSpeed = 1;
   /** Seconds until the pass begins; null while none is counted in. */
   counting: number | null = null;
   search = "";
@@ -94,9 +96,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     private readonly marks: Pick<PageMarks, "read" | "write"> = { read: () => ({}), write: () => undefined },
   ) {
     super();
-    const { armed, countsIn, character } = marks.read();
+    const { armed, countsIn, passSpeed, character } = marks.read();
     if (armed !== undefined) this.armed = new Set(armed);
-    this.countsIn = countsIn ?? this.countsIn;
+    [this.countsIn, this.passSpeed] = [countsIn ?? this.countsIn, passSpeed ?? this.passSpeed];
     this.#chosen = character ?? "";
     this.listen("view", () => this.#keepMarks());
     this.listen("clips", () => this.#keepMarks());
@@ -264,6 +266,11 @@ export class ClipStore extends TopicStore<ClipTopic> {
     this.tell("view");
   }
 
+  setPassSpeed(speed: number): void {
+    this.passSpeed = speed;
+    this.tell("view");
+  }
+
   // --- what plays ---
 
   /** Plays from the place that is marked, or stops; ends a pass that is recorded, and keeps it. */
@@ -386,7 +393,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
       this.show.say(reason);
     };
     const sound = this.outline === null ? this.firstSound : "";
-    this.show.ask({ ...asked, parts: [...parts], sound }, { refused });
+    if (this.passSpeed !== 1 && this.sound !== "") this.show.say("Not at full speed: no sound is heard in this pass.");
+    this.show.ask({ ...asked, parts: [...parts], sound, speed: this.passSpeed }, { refused });
   }
 
   #end(how: "keep" | "discard"): void {
@@ -720,8 +728,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #keepMarks(): void {
-    const { name: clip, lane, countsIn } = this;
-    if (clip !== "") this.marks.write({ clip, lane, armed: [...this.armed], countsIn, character: this.#chosen });
+    const { name: clip, lane, countsIn, passSpeed } = this;
+    const [armed, character] = [[...this.armed], this.#chosen];
+    if (clip !== "") this.marks.write({ clip, lane, armed, countsIn, passSpeed, character });
   }
 
   #receiveNames(): void {

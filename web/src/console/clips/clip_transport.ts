@@ -7,7 +7,7 @@ import { base, flow } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { armingOf } from "./armed_parts";
 import { AnimatedClipElement, clipControls } from "./clip_element";
-import { clipTime } from "./clip_passes";
+import { clipTime, PASS_SPEEDS } from "./clip_passes";
 import type { ClipTopic } from "./clip_store";
 
 const style = css`
@@ -98,6 +98,8 @@ const style = css`
   }
 `;
 
+const SPEED_SIGNS = { 1: "Full", 0.75: "¾", 0.5: "½", 0.25: "¼" } as const;
+
 @customElement("omote-clip-transport")
 export class ClipTransport extends AnimatedClipElement {
   @query("time") private clock!: HTMLElement;
@@ -151,6 +153,8 @@ export class ClipTransport extends AnimatedClipElement {
     const { clips } = this;
     const names = Object.keys(clips.show.state?.characters ?? {});
     return html`<div class="group"><button title="Three seconds are counted in before a pass (C)" aria-pressed=${clips.countsIn} @click=${() => clips.setCountIn(!clips.countsIn)}>Count 3</button>
+      <select class="speed" aria-label="Speed of passes" title="At what speed a pass is recorded, and what plays meanwhile (S: half, full); below the full one no sound is heard" @change=${(event: Event) => clips.setPassSpeed(Number(textOf(event)))}>
+        ${PASS_SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === clips.passSpeed}>${SPEED_SIGNS[speed]} speed</option>`)}</select>
       <select aria-label="Character" title="Who plays the clip, and is recorded" @change=${(event: Event) => clips.chooseCharacter(textOf(event))}>
         ${names.map((name) => html`<option value=${name} .selected=${name === clips.character}>${clips.labelOf(name)}</option>`)}</select></div>`;
   }

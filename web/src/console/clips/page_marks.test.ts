@@ -9,7 +9,7 @@ function storage() {
   });
 }
 
-const MARKS = { clip: "line", lane: 1, armed: ["brows" as const], countsIn: false, character: "one" };
+const MARKS = { clip: "line", lane: 1, armed: ["brows" as const], countsIn: false, passSpeed: 0.5, character: "one" };
 
 describe("the marks of a page of clips", () => {
   it("outlive a reload, and another tab begins with the same", () => {
@@ -23,7 +23,10 @@ describe("the marks of a page of clips", () => {
 
   it("are left out where they cannot be read", () => {
     const tab = storage();
-    tab().setItem("omote clips", '{"clip": 3, "lane": -1, "armed": ["nose", "head"], "countsIn": "no"}');
+    tab().setItem(
+      "omote clips",
+      '{"clip": 3, "lane": -1, "armed": ["nose", "head"], "countsIn": "no", "passSpeed": 3}',
+    );
     expect(new PageMarks(storage(), tab).read()).toEqual({ armed: ["head"] });
   });
 });

@@ -1,7 +1,8 @@
-/** What a page of clips remembers through a reload: the clip and lane that are chosen, what is armed, the count. */
+/** What a page of clips remembers through a reload: the clip and lane that are chosen, what is armed, the count, the speed of passes. */
 
 import { LAYER_PARTS } from "../../link/constants";
 import { type BrowserStorage, keep, readKept, readRecord } from "../../ui/browser_storage";
+import { PASS_SPEEDS } from "./clip_passes";
 
 type Part = (typeof LAYER_PARTS)[number];
 
@@ -10,6 +11,7 @@ export interface Marks {
   readonly lane: number;
   readonly armed: readonly Part[];
   readonly countsIn: boolean;
+  readonly passSpeed: number;
   readonly character: string;
 }
 
@@ -25,7 +27,7 @@ export class PageMarks {
 
   /** What was kept, as far as it can be read. */
   read(): Partial<Marks> {
-    const { clip, lane, armed, countsIn, character } = readRecord(
+    const { clip, lane, armed, countsIn, passSpeed, character } = readRecord(
       readKept(this.tab, KEY) || readKept(this.browser, KEY),
     );
     return {
@@ -33,6 +35,7 @@ export class PageMarks {
       ...(Number.isSafeInteger(lane) && (lane as number) >= 0 ? { lane: lane as number } : {}),
       ...(Array.isArray(armed) ? { armed: LAYER_PARTS.filter((part) => armed.includes(part)) } : {}),
       ...(typeof countsIn === "boolean" ? { countsIn } : {}),
+      ...(PASS_SPEEDS.some((speed) => speed === passSpeed) ? { passSpeed: passSpeed as number } : {}),
       ...(typeof character === "string" ? { character } : {}),
     };
   }

@@ -128,7 +128,7 @@ export class RecordLight extends AnimatedElement<LightContext> {
     const [first] = passesOf(this.store);
     const time = this.renderRoot.querySelector("time");
     if (first !== undefined && time !== null)
-      this.write.text(time, clipTime(positionOf({ ...first, start: 0 }, this.store.state?.time ?? 0)));
+      this.write.text(time, clipTime(positionOf({ ...first, start: 0, speed: 1 }, this.store.state?.time ?? 0)));
   }
 }
 

@@ -119,6 +119,7 @@ export class ClipsPage extends ClipElement {
     else if (command.do === "discard") clips.discard();
     else if (command.do === "again") clips.recordAgain();
     else if (command.do === "count_in") clips.setCountIn(!clips.countsIn);
+    else if (command.do === "slow") clips.setPassSpeed(clips.passSpeed === 1 ? 0.5 : 1);
     else if (command.do === "arm") clips.arm(command.part, command.how);
     else if (command.do === "arm_all") clips.armAll();
     else if (command.do === "mark") clips.mark(command.end);

@@ -124,6 +124,11 @@ const style = css`
     min-height: 34px;
     color: var(--text);
   }
+  @media (pointer: coarse) {
+    .arm {
+      min-height: 44px;
+    }
+  }
   .arm[aria-pressed="true"] {
     color: #1c1500;
     background: var(--attention);
