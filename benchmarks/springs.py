@@ -78,7 +78,7 @@ def play(spring: Spring, way: Way, rate: int, seconds: float = 6.0) -> Values:
     weights = []
     for tick in range(round(seconds * rate) + 1):
         state = advance_spring(spring, state, way(tick / rate), 1.0 / rate)
-        weights.append(weight_of(spring, state.turn, 1.0))
+        weights.append(weight_of(spring, state.turn, state.speed, 1.0))
     return np.array(weights)
 
 

@@ -54,7 +54,7 @@ def test_the_mixture_of_a_place_shows_and_stays_when_the_hand_is_gone(cast: Cast
 
 def test_one_dimension_is_moved_alone(cast: Cast) -> None:
     performer = Performer(cast)
-    performer.move_pad(MOOD, y=0.5)
+    performer.move_pad(MOOD, None, 0.5)
     performer.move_pad(MOOD, x=-0.25)
     assert performer.advance(0.0).pads["mood"].place == (-0.25, 0.5)
 

@@ -21,7 +21,7 @@ class PadPlaying(CalledMix):
 
     _pads: Mapping[str, Pad] = NO_PADS
 
-    def move_pad(self, pad: Pad, x: float | None = None, y: float | None = None, z: float | None = None) -> None:
+    def move_pad(self, pad: Pad, x: float | None, y: float | None = None, *, z: float | None = None) -> None:
         """Moves the point of a pad: what the pad plays shows the mixture of its looks there, without a jump.
 
         What shows makes way in a third of a second where something else has played it; from then on it follows the

@@ -195,10 +195,17 @@ class CharacterCommand(ClientMessage, frozen=True):
     character: CharacterName
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
-        """Plays it on all characters that it is for: they have one cast and the same ranges, so what one rejects the
-        first rejects, and nothing has changed. session: the show; who: the client; now: seconds, monotonic."""
-        for name in characters_of(session.scene, self.character):
-            self.play(session.scene[name])
+        """Plays it on all characters that it is for, or on none: where one rejects it (each has macros of its own), the
+        others are as they were. session: the show; who: the client; now: seconds, monotonic."""
+        performers = [session.scene[name] for name in characters_of(session.scene, self.character)]
+        before = [dict(vars(performer)) for performer in performers] if len(performers) > 1 else []
+        try:
+            for performer in performers:
+                self.play(performer)
+        except (ValueError, TypeError):
+            for performer, values in zip(performers, before, strict=False):
+                vars(performer).update(values)
+            raise
         return ()
 
     def play(self, performer: Performer) -> None:

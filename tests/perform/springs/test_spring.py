@@ -54,7 +54,7 @@ def played(spring: Spring, way: Way, rate: float, *, seconds: float = 6.0) -> ND
     weights = []
     for tick in range(round(seconds * rate) + 1):
         state = advance_spring(spring, state, way(tick / rate), 1.0 / rate)
-        weights.append(weight_of(spring, state.turn, 1.0))
+        weights.append(weight_of(spring, state.turn, state.speed, 1.0))
     return np.array(weights)
 
 
@@ -103,7 +103,7 @@ def test_no_driver_and_no_rate_leads_out_of_the_limit(spring: Spring, ticks: lis
     state = SpringState()
     for dt, driver in ticks:
         state = advance_spring(spring, state, driver, dt)
-        assert abs(weight_of(spring, state.turn, 2.0)) < spring.limit
+        assert abs(weight_of(spring, state.turn, state.speed, 2.0)) < spring.limit
 
 
 @pytest.mark.parametrize("rate", [10.0, 24.0, 60.0, 120.0])
@@ -139,9 +139,15 @@ def test_a_spring_that_begins_in_a_turn_is_not_kicked_by_it() -> None:
 
 
 def test_what_can_hardly_be_seen_is_not_played() -> None:
-    assert weight_of(EARS, 0.003 / EARS.gain, 1.0) == 0.0
-    assert weight_of(EARS, -0.003 / EARS.gain, 1.0) == 0.0
-    assert 0.0 < weight_of(EARS, 0.0045 / EARS.gain, 1.0) < 0.001
+    assert weight_of(EARS, 0.003 / EARS.gain, 0.0, 1.0) == 0.0
+    assert weight_of(EARS, -0.003 / EARS.gain, 0.0, 1.0) == 0.0
+    assert 0.0 < weight_of(EARS, 0.0042 / EARS.gain, 0.0, 1.0) < 0.001
+
+
+def test_a_swing_that_is_seen_goes_through_its_middle_without_a_stop() -> None:
+    fast = 2.0 * math.pi * EARS.frequency * 0.1 / EARS.gain  # a swing of .1 of the field
+    assert weight_of(EARS, 1e-4, fast, 1.0) == pytest.approx(1e-4 * EARS.gain, rel=0.05)
+    assert weight_of(EARS, -1e-4, fast, 1.0) == -weight_of(EARS, 1e-4, fast, 1.0)
 
 
 @pytest.mark.parametrize(

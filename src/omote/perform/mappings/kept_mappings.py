@@ -101,7 +101,8 @@ def renaming_in(before: ByName, after: ByName) -> tuple[str, str] | None:
     new = [name for name in after if name not in before]
     if len(gone) != 1 or len(new) != 1 or before[gone[0]].with_name(new[0]) != after[new[0]]:
         return None
-    (old,), (to,) = gone, new
+    old = gone[0]
+    to = new[0]
     same = all(after[other] == _reading(each, old, to) for other, each in before.items() if other != old)
     return (old, to) if same else None
 

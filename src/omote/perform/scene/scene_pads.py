@@ -194,8 +194,9 @@ class ScenePads(SceneMemories):
         self,
         character: str,
         name: str,
-        x: float | None = None,
+        x: float | None,
         y: float | None = None,
+        *,
         z: float | None = None,
     ) -> None:
         """Moves the point of a pad on a character, as of `Performer.move_pad`.
@@ -207,7 +208,7 @@ class ScenePads(SceneMemories):
         name : str
             The pad, in any case.
         x, y, z : float, optional
-            Where to, -1 to 1; what is not given stays.
+            Where to, -1 to 1; what is None stays.
 
         Raises
         ------
@@ -223,7 +224,7 @@ class ScenePads(SceneMemories):
         >>> scene.advance(0.0).characters["one"].frame.pads["mouth"].place
         (0.5, -0.25)
         """
-        self._characters[self._present(character)].move_pad(self.find_pad(name), x, y, z)
+        self._characters[self._present(character)].move_pad(self.find_pad(name), x, y, z=z)
 
     def find_pad(self, name: str) -> Pad:
         """The pad that a person means.

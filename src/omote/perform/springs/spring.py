@@ -189,11 +189,15 @@ def advance_spring(spring: Spring, state: SpringState, driver: float, dt: float)
     return tuple.__new__(SpringState, (turn, speed, driver, driven, first, second))  # a call takes as long again
 
 
-def weight_of(spring: Spring, turn: float, amount: float) -> float:
-    """The weight that a spring plays of its field, within its limit. turn: radians; amount: 1 as it is."""
+def weight_of(spring: Spring, turn: float, speed: float, amount: float) -> float:
+    """The weight that a spring plays of its field, within its limit; none where its swing is too small to be seen.
+
+    spring: which; turn: radians; speed: radians a second; amount: 1 as it is. How far it swings, not where it is, says
+    what is too small: else it would stop and start again each time that it goes through the middle.
+    """
     wanted = amount * spring.gain * turn
     share = wanted / spring.limit
     weight = wanted / math.sqrt(1.0 + share * share)
-    if weight > _DEAD:
-        return weight - _DEAD
-    return weight + _DEAD if weight < -_DEAD else 0.0
+    sideways = amount * spring.gain * speed / (2.0 * math.pi * spring.frequency)
+    swing = weight * weight + sideways * sideways
+    return weight * (1.0 - _DEAD * _DEAD / swing) if swing > _DEAD * _DEAD else 0.0

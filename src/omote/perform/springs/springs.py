@@ -148,7 +148,7 @@ def with_springs(
     added = dict[str, float]()
     for name, state in springs.moving.items():
         spring = known.get(name)
-        if spring is not None and (weight := share * weight_of(spring, state.turn, state.second)):
+        if spring is not None and (weight := share * weight_of(spring, state.turn, state.speed, state.second)):
             added[spring.channel] = added.get(spring.channel, 0.0) + weight
     if not added:
         return frame

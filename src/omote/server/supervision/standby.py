@@ -106,7 +106,7 @@ def warm(documents: CastDocuments) -> None:
     warm_repair()
     scene = Scene.begun(cast)
     for pad in [*scene.pads][:1]:
-        scene.move_pad(FIRST_CHARACTER, pad)
+        scene.move_pad(FIRST_CHARACTER, pad, None)
     scene.advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()

@@ -12,6 +12,7 @@ from omote.model.cast import Cast
 from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import Panic
+from omote.show.objects.characters import AddCharacter
 from omote.show.objects.faders import SetChannel, SetHead
 from omote.show.objects.hand.macros import (
     DropMapping,
@@ -124,3 +125,11 @@ def test_what_there_is_not_is_refused(session: ShowSession) -> None:
     session.receive("ana", SetChannel("one", "jawOpen", 0.5), 0.0)
     wrong = MacroMapping("eyes", (MacroTarget("channel/nowhere"),))
     assert "there is no channel 'nowhere'" in refusal_of(session, "ana", SetMapping("one", "3", wrong))
+
+
+def test_what_one_of_all_characters_refuses_changes_none(session: ShowSession) -> None:
+    session.receive("ana", AddCharacter("2", "two", "Two", "generic"), 0.0)
+    session.receive("ana", SetMapping("two", "3", JAW), 0.0)
+    before = session.scene["one"].mappings
+    assert "smile" in refusal_of(session, "ana", RenameMapping("*", "4", "smile", "grin"))
+    assert session.scene["one"].mappings == before

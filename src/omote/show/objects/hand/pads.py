@@ -174,7 +174,7 @@ class MovePad(CharacterCommand, frozen=True):
     def act(self, session: Session, who: str, now: float) -> tuple[Outgoing, ...]:
         """Moves it: the scene knows the pad of a name. session: the show; who: the client; now: seconds, monotonic."""
         for character in characters_of(session.scene, self.character):
-            session.scene.move_pad(character, self.name, self.x, self.y, self.z)
+            session.scene.move_pad(character, self.name, self.x, self.y, z=self.z)
         return ()
 
     def check_names(self, session: Session) -> None:
