@@ -225,6 +225,7 @@ class RandomShow:
             lambda: pick((AddCastPads(new()), RestorePad(new(), pick(("g", "h"))))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong", "chime"))),
+            lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"])), speed=pick((0.25, 0.5))),
             lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
             lambda: KeepPass(new(), pick(names)),
             lambda: PlayClip(who(), new(), pick(("c1", "c2")), pick((None, 0.2)), loop=pick((True, None))),
