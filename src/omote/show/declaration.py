@@ -92,6 +92,7 @@ class Session(Protocol):
     cues: Any
     clips: Any
     wishes: list[Any]
+    lost: list[str]
     learning: Any
     setups: set[str]
     recorder: Any

@@ -342,7 +342,7 @@ class ShowSession:
         self.lost.append(f"what was built up in preview cannot be played ({error}) and is forgotten.")
 
     def take_lost(self) -> list[str]:
-        """Returns and clears what of the preview and of passes was lost, in sentences for the crew."""
+        """Returns and clears what of the preview, of passes and of pads was lost, in sentences for the crew."""
         lost = self.lost
         self.lost = []
         return lost

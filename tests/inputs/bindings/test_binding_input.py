@@ -10,9 +10,12 @@ from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import read_target
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.reading import Reading
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import Panic
 from omote.show.objects.faders import Hands
 from omote.show.objects.link import Hello
+from omote.show.objects.state import CharacterState
 from omote.show.session import ShowSession
 from tests import synthetic
 
@@ -63,3 +66,37 @@ def test_a_device_that_is_unplugged_lets_go_and_leaves(session: ShowSession) -> 
     devices.unplug(PAD, 0.3)
     assert session.tick(0.4).characters["one"].channels == {}
     assert session.crew == {}
+
+
+@pytest.mark.parametrize("pick_up", [False, True])
+@pytest.mark.parametrize("character", ["one", "*"])
+@pytest.mark.parametrize("target", ["pad/moods", "macro/wide", "channel/jawOpen"])
+def test_what_is_held_while_panic_is_pressed_waits_until_it_is_back_at_rest(
+    session: ShowSession, target: str, character: str, *, pick_up: bool
+) -> None:
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
+    session.scene["one"].set_mapping(MacroMapping("wide", (MacroTarget("channel/jawOpen"),)))
+    axis = "x" if target.startswith("pad") else None
+    low = 0.0 if target.startswith("channel") else -1.0
+    rest = -low / (1.0 - low)
+    path = f"/omote/{character}/{target}"
+    devices = bound(session, Binding(PAD, "x", read_target(path, axis=axis), low, 1.0, pick_up=pick_up))
+
+    def moved(*positions: float, now: float) -> CharacterState:
+        for position in positions:
+            devices.hear([Reading(PAD, "x", position)], now)
+        state = session.tick(now)
+        devices.note_state(state)
+        return state.characters["one"]
+
+    held = moved(rest, 1.0, now=0.1)
+    session.receive("a", Panic(character), 0.2)
+    rested = moved(now=2.0)
+    assert (rested.pads, rested.macros, rested.channels) != (held.pads, held.macros, held.channels)
+    jitters = moved(0.95, 1.0, 0.6, now=2.1)
+    assert (jitters.pads, jitters.macros, jitters.channels) == (rested.pads, rested.macros, rested.channels)
+    assert devices.bindings.waiting == {(PAD, "x"): 0.6}
+    assert devices.bindings.crossings(PAD, devices.on_air) == {"x": rest}
+    again = moved(rest, 1.0, now=2.2)
+    assert (again.pads, again.macros) == (held.pads, held.macros)
+    assert devices.bindings.waiting == {}

@@ -818,13 +818,13 @@ export type SetPad = {
   key?: string;
 };
 
-/** Gives a pad another name (`to`); what it plays it plays on. Cues that move it call it by its old name. */
+/** Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues. */
 export type RenamePad = { type: "rename_pad"; id: string; name: string; to: string; key?: string };
 
 /** Keeps a copy of a pad under another name (`to`). */
 export type CopyPad = { type: "copy_pad"; id: string; name: string; to: string; key?: string };
 
-/** Forgets a pad; what it shows stays on air. */
+/** Forgets a pad; what it shows stays on air. A notice names the cues that move it. */
 export type DropPad = { type: "drop_pad"; id: string; name: string; key?: string };
 
 /**
@@ -833,7 +833,10 @@ export type DropPad = { type: "drop_pad"; id: string; name: string; key?: string
  */
 export type AddCastPads = { type: "add_cast_pads"; id: string; key?: string };
 
-/** Takes the change of pads back that was made under this `key`; asked again, it is as after that. */
+/**
+ * Takes the change of pads back that was made under this `key`; asked again, it is as after that. Cues follow a
+ * name.
+ */
 export type RestorePad = { type: "restore_pad"; id: string; key: string };
 
 /** A pad, as of `set_pad`. `missing`: the names of its looks that the cast does not have; they count as neutral. */

@@ -22,9 +22,15 @@ class BindingInput:
         self.osc = OscInput(session, kind="device", title="")
         self.on_air = AddressValues()
         self._number = 0
+        self._panics: dict[str, int] = {}
 
     def note_state(self, state: State) -> None:
-        """Notes what is on air."""
+        """Notes what is on air; a panic takes what it rests out of the hands at devices."""
+        panics = {name: character.panics for name, character in state.characters.items()}
+        if panics != self._panics:
+            panicked = [name for name, count in panics.items() if count > self._panics.get(name, count)]
+            self.bindings.take_off(panicked, {name: character.label for name, character in state.characters.items()})
+            self._panics = panics
         self.on_air = AddressValues(state)
         self._number = state.number
 

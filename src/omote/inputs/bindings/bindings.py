@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from omote.inputs.bindings.control_binding import Binding
-from omote.inputs.osc_packet import Argument, OscMessage
+from omote.inputs.bindings.control_binding import MIDDLE, Binding
+from omote.inputs.character_patterns import characters_meant
+from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.inputs.reading import Reading
+from omote.perform.scene.character_names import ALL
 
 
 class AddressValues(Protocol):
@@ -29,10 +31,12 @@ PRESSED = 0.5
 
 @dataclass(slots=True)
 class _Played:
-    """What is known of one binding: where its control stood, whether it acts, what it sent last."""
+    """What is known of one binding: where its control stood, whether it acts, whether a panic took it out of the hand,
+    what it sent last."""
 
     last: float | None = None
     engaged: bool = False
+    is_off: bool = False
     pressed: bool = False
     sent: float | None = None
 
@@ -116,6 +120,17 @@ class Bindings:
         value = values[binding.target.axis] if binding.target.axis < len(values) else None
         return binding.position_of(float(value)) if isinstance(value, int | float) else None
 
+    def take_off(self, panicked: Container[str], labels: Mapping[str, str]) -> None:
+        """Takes the faders of characters out of the hands that hold them, after a panic: a stick that is held must not
+        undo it. Each acts again once it crosses the value on air; without one, or without pick-up, once it is at rest.
+
+        panicked: the characters by name; labels: what people call each of all characters, by name.
+        """
+        for binding, played in zip(self.bindings, self._played, strict=True):
+            if played.last is not None and self._is_fader(binding) and _plays(binding, panicked, labels):
+                played.engaged = False
+                played.is_off = True
+
     def is_bound(self, device: str, control: str) -> bool:
         """Whether a control of a device plays anything, in whichever bank."""
         return (device, control) in self._of
@@ -131,17 +146,22 @@ class Bindings:
         return {
             (binding.device, binding.control): played.last
             for binding, played in zip(self.bindings, self._played, strict=True)
-            if played.last is not None and not played.engaged and binding.pick_up and self._is_fader(binding)
+            if played.last is not None and not played.engaged and self._is_fader(binding)
+            if binding.pick_up or played.is_off
             if binding.bank in ("", self.bank_of(binding.device))
         }
 
     def crossings(self, device: str, on_air: AddressValues) -> dict[str, float]:
-        """The controls of a device that wait to be picked up, and where each will be.
+        """The controls of a device that wait to be picked up or to come to rest, and where each will act again.
 
         on_air: the values of addresses.
         """
         waiting = self.waiting
         positions = self.positions(device, on_air)
+        for binding, played in zip(self.bindings, self._played, strict=True):
+            is_there = binding.device == device and binding.bank in ("", self.bank_of(device))
+            if played.is_off and is_there and not (binding.pick_up and binding.control in positions):
+                positions[binding.control] = binding.position_of(0.0)
         return {control: positions[control] for name, control in waiting if name == device and control in positions}
 
     def hear(self, reading: Reading, on_air: AddressValues, number: int) -> list[OscMessage]:
@@ -174,6 +194,7 @@ class Bindings:
                 played.last = reading.value
                 played.sent = current
                 played.engaged = True
+                played.is_off = False
 
     def unplug(self, device: str, on_air: AddressValues, number: int) -> list[OscMessage]:
         """Forgets where a device's controls stand, and lets go of the buttons that were held; they wait for it.
@@ -221,11 +242,14 @@ class Bindings:
         played.last = position
         values = sent[1] if sent is not None and sent[0] >= number else on_air.get(fader.path, ())
         current = _level(values, fader.axis)
-        if not fader.pick_up or current is None:
+        if played.is_off:
+            played.is_off = not _comes_back(self.bindings[index], before, position, current)
+            played.engaged = not played.is_off
+        elif not fader.pick_up or current is None:
             played.engaged = True
         elif played.engaged and played.sent is not None:
             played.engaged = abs(current - played.sent) <= fader.near
-        if not played.engaged and current is not None:
+        if not played.engaged and not played.is_off and current is not None:
             at = self.bindings[index].position_of(current)
             played.engaged = abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
         if not played.engaged:
@@ -301,6 +325,30 @@ def _fader_of(binding: Binding) -> _Fader:
         near,
         binding.dead_zone > 0.0,
     )
+
+
+def _plays(binding: Binding, characters: Container[str], labels: Mapping[str, str]) -> bool:
+    """Whether a binding plays one of these characters. labels: what people call each of all characters, by name."""
+    if not binding.target.character:
+        return False
+    try:
+        meant = characters_meant(binding.target.character, labels)
+    except OscError:  # nobody who is there
+        return False
+    return any(name in characters for name in (labels if meant == (ALL,) else meant))
+
+
+def _comes_back(binding: Binding, before: float | None, position: float, current: float | None) -> bool:
+    """Whether a fader that a panic took off is where it may act again: at the value on air, or at rest.
+
+    before: where it stood, None where that is not known; position: where it is; current: the value on air.
+    """
+    at = binding.position_of(0.0)
+    if binding.pick_up and current is not None:
+        at = binding.position_of(current)
+    elif abs(position - at) <= NEAR or abs(position - MIDDLE) < binding.dead_zone:
+        return True
+    return abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
 
 
 def _level(values: tuple[Argument, ...], axis: int) -> float | None:

@@ -35,6 +35,12 @@ def point_of_goal(goal: Mapping[str, float]) -> tuple[str, PadPlace]:
     return check_pad_name(pad), place
 
 
+def goal_after_rename(goal: Mapping[str, float], pad: str, to: str) -> dict[str, float]:
+    """A goal with the name that a pad has now, where it calls that by its name before. goal: of any part; pad: the name
+    before; to: the name now."""
+    return {f"{PAD}{to}" if name == f"{PAD}{pad}" else name: value for name, value in goal.items()}
+
+
 def check_point_fits(pad: Pad, part: str, place: PadPlace) -> None:
     """Raises ValueError where a pad does not play a part (by its name at a character), or has no such place."""
     if pad.part != part:

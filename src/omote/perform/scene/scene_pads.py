@@ -143,7 +143,7 @@ class ScenePads(SceneMemories):
         """
         self._wear_pads(kept_pads.without_pad(self._pads, name, key or name))
 
-    def restore_pad(self, key: str) -> None:
+    def restore_pad(self, key: str) -> Mapping[str, str]:
         """Takes a change of pads back; again, it is as after that.
 
         The last sixteen changes can be taken back.
@@ -153,6 +153,11 @@ class ScenePads(SceneMemories):
         key : str
             What the change was given: the name, where it was given no key.
 
+        Returns
+        -------
+        mapping of str
+            What a pad is called now, by what it was called; empty where the change was no other name.
+
         Raises
         ------
         ValueError
@@ -161,12 +166,15 @@ class ScenePads(SceneMemories):
         Examples
         --------
         >>> scene = omote.Scene.begun(cast)
-        >>> scene.drop_pad("faces")
-        >>> scene.restore_pad("faces")
+        >>> scene.rename_pad("moods", "temper")
+        >>> scene.restore_pad("moods")
+        {'temper': 'moods'}
         >>> list(scene.pads)
         ['moods', 'mouth', 'faces']
         """
-        self._wear_pads(*kept_pads.with_change_back(self._pads, key))
+        pads, renamed = kept_pads.with_change_back(self._pads, key)
+        self._wear_pads(pads, renamed)
+        return renamed
 
     def add_cast_pads(self, *, key: str = "") -> None:
         """Keeps the pads that come with the cast, as a new show has them; pads of the same names make way.

@@ -13,11 +13,12 @@ from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
 from omote.perform.cues.cue_names import named_cue, named_cues
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
 from omote.perform.cues.cue_state import ASSERT, BACK, GAP_SECONDS, CueState, edited
+from omote.perform.cues.renamed_pads import cue_after_rename, moves_pad, state_after_rename
 from omote.perform.limits import check_known
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.show.cues import cue_edits
-from omote.show.cues.cue_book import CueBook, changes_between, find_cue, redo, take_in_list, undo
+from omote.show.cues.cue_book import CueBook, changes_between, edit_cues, find_cue, redo, take_in_list, undo
 from omote.show.cues.cue_edits import ON_AIR, LookedAt
 from omote.show.declaration import Outgoing
 from omote.show.objects import cues as wire
@@ -326,6 +327,23 @@ class CueLists:
         """
         self._check_open()
         self._change(take_in_list(self.book, name, named_cues(cues, self._scene().labels), by))
+
+    def rename_pad(self, pad: str, to: str, who: str) -> None:
+        """Has all cues that move a pad follow it to another name, as one edit, in the show mode too: nothing that they
+        play changes. What waits, stands or would come back follows too.
+
+        pad: its name before; to: its name now; who: the client that has renamed it.
+        """
+        cues = {identity: cue_after_rename(cue, pad, to) for identity, cue in self.book.cues.items()}
+        if cues != self.book.cues:
+            self._change(edit_cues(self.book, f"rename the pad {pad} to {to}", self._name_of(who), cues, {}))
+        for player in self._players.values():
+            player.state = state_after_rename(player.state, pad, to)
+
+    def who_moves_pad(self, pad: str) -> list[str]:
+        """The cues that move a pad (by its name), in words."""
+        named = ((name, cue) for name in self.book.orders for cue in self.book.cues_of(name))
+        return [f"the cue {cue.number} of {name}" for name, cue in named if moves_pad(cue, pad)]
 
     # --- what is told ---
 

@@ -19,6 +19,7 @@ from omote.model.cast import Cast
 from omote.perform.pads.blend_space import PadLook
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, Panic
+from omote.show.objects.cues import Go, GoBack, GoToCue, PutCue, PutMove, RedoCues, UndoCues
 from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, PadList, RenamePad, RestorePad, SetPad
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Bus, Hello, Refused
@@ -120,6 +121,57 @@ def test_pads_are_renamed_copied_dropped_and_brought_back(session: ShowSession) 
     assert "lips" in session.scene.pads
     assert reason(session, "ana", RestorePad("6", "nothing")).startswith("there is no change of a pad 'nothing'")
     assert reason(session, "ana", SetPad("7", "x", "mouth", 2, LOOKS[:1])).startswith("the pad x has 1 looks")
+
+
+def test_cues_follow_a_pad_to_its_new_name_as_one_edit_and_what_waits_and_stood_too(session: ShowSession) -> None:
+    session.tick(0.0)
+    for number, x in (("1", -1.0), ("2", 1.0), ("3", 0.0)):
+        assert reason(session, "ana", PutCue(f"c{number}", number=number)) == ""
+        (*_, cue) = session.cues.book.cues
+        goal = {":pad lips": 1.0, ":x": x, ":y": 0.0}
+        delay = 1.0 if number == "2" else 0.0
+        assert reason(session, "ana", PutMove(f"m{number}", cue, "one/mouth", goal, seconds=0.0, delay=delay)) == ""
+    before = session.cues.book
+
+    def calls() -> list[str]:
+        moves = [move for cue in session.cues.book.cues.values() for move in cue.moves.values()]
+        return [name for move in moves for name in move.goal if name.startswith(":pad")]
+
+    def shown(now: float) -> dict[str, list[float]]:
+        return {name: pad.place for name, pad in session.tick(now).characters["one"].pads.items()}
+
+    assert reason(session, "ana", Go("g1"), 1.0) == ""
+    shown(2.0)
+    assert reason(session, "ana", Go("g2"), 2.0) == ""
+    session.cues.locked = True
+    assert reason(session, "ben", RenamePad("r", "lips", "snout", "k"), 2.1) == ""
+    session.cues.locked = False
+    assert calls() == [":pad snout"] * 3
+    assert [(edit.what, edit.by) for edit in session.cues.book.edits[len(before.edits) :]] == [
+        ("rename the pad lips to snout", "ben")
+    ]
+    assert shown(2.5) == {"snout": [-1.0, 0.0]}
+    assert shown(3.5) == {"snout": [1.0, 0.0]}
+    assert reason(session, "ana", GoBack("b"), 4.0) == ""
+    assert shown(6.0) == {"snout": [-1.0, 0.0]}
+    assert reason(session, "ana", UndoCues("u"), 6.0) == ""
+    assert session.cues.book.cues == before.cues
+    assert reason(session, "ana", RedoCues("v"), 6.0) == ""
+    assert reason(session, "ana", RestorePad("w", "k"), 6.0) == ""
+    assert calls() == [":pad lips"] * 3
+    assert reason(session, "ana", GoToCue("t", "3"), 7.0) == ""
+    assert shown(8.0) == {"lips": [0.0, 0.0]}
+    status = session.cues.status(8.0)
+    assert status is not None
+    assert status.rejected == []
+    assert session.take_lost() == []
+    assert reason(session, "ana", DropPad("d", "mouth"), 8.0) == ""
+    assert session.take_lost() == []
+    assert reason(session, "ana", DropPad("e", "lips"), 8.0) == ""
+    assert session.take_lost() == [
+        "the pad lips is gone, and these move it, which does nothing now: the cue 1 of main, the cue 2 of main, the "
+        "cue 3 of main."
+    ]
 
 
 def test_a_pad_needs_the_part_that_it_plays_and_holds_it(session: ShowSession) -> None:

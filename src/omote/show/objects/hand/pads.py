@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Annotated
 
 import msgspec
@@ -33,6 +34,8 @@ _ALONG = Value(low=PLACE_RANGE[0], high=PLACE_RANGE[1])
 _ALONG_ONE = Value(low=PLACE_RANGE[0], high=PLACE_RANGE[1], optional=True)
 PAD_LIMIT = 32768
 """Bytes: twelve looks of 24 names."""
+NAMED_CUES = 8
+"""That a notice of a pad that is gone names."""
 
 
 # --- what is kept of them ---
@@ -43,6 +46,25 @@ class PadCommand(SceneCommand, frozen=True):
     `key` takes it back. An `id` executes once."""
 
     follows_bus = False
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Changes the pads; cues follow one that has another name, and the crew is told which cues need one that is
+        gone. session: the show; who: the client; now: seconds, monotonic."""
+        before = session.scene.pads
+        renamed = self.change_pads(session.scene)
+        for name, to in renamed.items():
+            session.cues.rename_pad(name, to, who)
+        for name in before:
+            needed_by = [] if name in renamed or name in session.scene.pads else session.cues.who_moves_pad(name)
+            if needed_by:
+                listed = ", ".join(needed_by[:NAMED_CUES]) + (", ..." if len(needed_by) > NAMED_CUES else "")
+                session.lost.append(f"the pad {name} is gone, and these move it, which does nothing now: {listed}.")
+        return ()
+
+    def change_pads(self, scene: Scene) -> Mapping[str, str]:
+        """Changes the pads of a scene; returns what a pad is called now, by what it was called."""
+        self.change(scene)
+        return {}
 
 
 class SetPad(PadCommand, frozen=True):
@@ -67,16 +89,17 @@ class SetPad(PadCommand, frozen=True):
 
 
 class RenamePad(PadCommand, frozen=True):
-    """Gives a pad another name (`to`); what it plays it plays on. Cues that move it call it by its old name."""
+    """Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues."""
 
     id: CallId
     name: PadName
     to: NewPadName
     key: OptionalCallId = ""
 
-    def change(self, scene: Scene) -> None:
-        """Changes the scene."""
+    def change_pads(self, scene: Scene) -> Mapping[str, str]:
+        """Renames it in a scene; returns its new name by its old one."""
         scene.rename_pad(self.name, self.to, key=self.key)
+        return {self.name: self.to}
 
 
 class CopyPad(PadCommand, frozen=True):
@@ -93,7 +116,7 @@ class CopyPad(PadCommand, frozen=True):
 
 
 class DropPad(PadCommand, frozen=True):
-    """Forgets a pad; what it shows stays on air."""
+    """Forgets a pad; what it shows stays on air. A notice names the cues that move it."""
 
     id: CallId
     name: PadName
@@ -117,14 +140,15 @@ class AddCastPads(PadCommand, frozen=True):
 
 
 class RestorePad(PadCommand, frozen=True):
-    """Takes the change of pads back that was made under this `key`; asked again, it is as after that."""
+    """Takes the change of pads back that was made under this `key`; asked again, it is as after that. Cues follow a
+    name."""
 
     id: CallId
     key: Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 
-    def change(self, scene: Scene) -> None:
-        """Changes the scene."""
-        scene.restore_pad(self.key)
+    def change_pads(self, scene: Scene) -> Mapping[str, str]:
+        """Restores them in a scene; returns what a pad is called again, by what it was called."""
+        return scene.restore_pad(self.key)
 
 
 # --- what is told of them ---
