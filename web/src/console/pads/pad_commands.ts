@@ -11,10 +11,13 @@ import { freeLabel, freeName, type PadContent, restOf, shownMix, withLook } from
 export const DRAG_PACE = 50;
 
 /** The pads of the show, those that this console has chosen first. */
-export function padsOf(store: ConsoleStore): readonly PadState[] {
-  const pads = store.newest("pad_list")?.pads ?? [];
-  const chosen = store.arrangement.pads.flatMap((name) => pads.filter((pad) => pad.name === name));
-  return [...chosen, ...pads.filter((pad) => !chosen.includes(pad))];
+export const padsOf = (store: ConsoleStore): readonly PadState[] =>
+  inOrder(store.newest("pad_list")?.pads ?? [], store.arrangement.pads);
+
+/** Pads, those first whose names are chosen. */
+export function inOrder(pads: readonly PadState[], chosen: readonly string[]): readonly PadState[] {
+  const first = chosen.flatMap((name) => pads.filter((pad) => pad.name === name));
+  return [...first, ...pads.filter((pad) => !first.includes(pad))];
 }
 
 /** Where the point of a pad stands on the character whose values are shown. */
