@@ -56,7 +56,7 @@ USED: dict[str, str] = {
         "link ui console/store console/controls console/devices console/mixer console/palette console/mappings "
         "console/pads"
     ),
-    "console/cues": "link ui access console/store",
+    "console/cues": "link ui access console/store console/pads",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
         "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips "

@@ -166,7 +166,7 @@ export class CueListView extends CueElement {
       canvas.style.visibility = character === null ? "hidden" : "";
       if (character === null) continue;
       const home = show.state?.characters[character]?.home_face ?? "generic";
-      this.thumbnails.ask(canvas, lookOf(looks[at] ?? {}, character, home));
+      this.thumbnails.ask(canvas, lookOf(looks[at] ?? {}, character, home, this.cues.pads ?? []));
     }
   }
 }

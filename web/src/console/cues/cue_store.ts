@@ -8,6 +8,7 @@ import type {
   CueListStatus,
   CueName,
   CueStatus,
+  PadState,
   State,
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
@@ -123,7 +124,7 @@ export class CueStore extends TopicStore<CueTopic> {
     show.listen("link", () => this.#noteLink());
     for (const topic of ["link", "notice", "manifest", "characters"] as const)
       show.listen(topic, () => this.tell(topic));
-    show.listen("clips", () => this.tell("manifest"));
+    for (const topic of ["clips", "pad_list"] as const) show.listen(topic, () => this.tell("manifest"));
   }
 
   // --- what shows ---
@@ -181,10 +182,16 @@ export class CueStore extends TopicStore<CueTopic> {
     return this.show.newest("clips")?.names ?? [];
   }
 
-  /** The names that cues can call now; null until the cast is here. */
+  /** The pads of the show; null until they are here. */
+  get pads(): readonly PadState[] | null {
+    return this.show.newest("pad_list")?.pads ?? null;
+  }
+
+  /** The names that cues can call now; null until the cast and the pads are here. */
   get known(): KnownNames | null {
     const { faces, expressions, lights, state } = this.show;
-    if (faces.length === 0 || state === null) return null;
+    const { pads } = this;
+    if (faces.length === 0 || state === null || pads === null) return null;
     const names = (documents: readonly { name: string }[]) => new Set(documents.map(({ name }) => name));
     return {
       face: names(faces),
@@ -193,6 +200,7 @@ export class CueStore extends TopicStore<CueTopic> {
       clip: new Set(this.clips),
       character: new Set(Object.keys(state.characters)),
       "gaze point": new Set(Object.keys(state.gaze_points)),
+      pad: names(pads),
     };
   }
 

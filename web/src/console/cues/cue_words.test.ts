@@ -48,6 +48,9 @@ it("says the moves of a running order", () => {
   expect(movesWords({ moves, actions: [] }, { kaori: "Kaori" })).toBe(
     "Kaori face → dog (2 s after 0.5 s); light → flat (0 s)",
   );
+  const point = { ":pad moods": 1, ":x": 0.2, ":y": -0.5 };
+  const pad = { "kaori/expression": { goal: point, seconds: 2, easing: "smooth", delay: 0 } };
+  expect(movesWords({ moves: pad, actions: [] }, {})).toBe("kaori expression → pad moods at x 0.2, y -0.5 (2 s)");
   const actions = [
     { does: "osc", to: "desk:9000", what: "/go 1", delay: 0.5, voice: "", sound: "" },
     { does: "say", to: "kaori", what: "Good evening.", delay: 0, voice: "de", sound: "" },

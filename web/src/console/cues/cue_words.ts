@@ -3,7 +3,7 @@
 import { ALL } from "../../link/constants";
 import type { Cue, CueListStatus } from "../../link/messages";
 import { clipCallOf } from "./clip_goal";
-import { type Goal, goalText, kindOf, partsInOrder, STOP } from "./goal_text";
+import { type Goal, goalWords, kindOf, partsInOrder, STOP } from "./goal_text";
 
 /** Seconds that count down or up: tenths below a minute, then minutes and seconds. */
 export function countOf(seconds: number): string {
@@ -57,7 +57,7 @@ export function movesWords(
 ): string {
   const moved = partsInOrder(Object.keys(moves), Object.keys(labels)).map((part) => {
     const { goal = {}, seconds = 0, delay = 0 } = moves[part] ?? {};
-    return `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late(delay)})`;
+    return `${partWords(part, labels)} → ${goalWords(part, goal)} (${seconds} s${late(delay)})`;
   });
   const done = actions.map(({ does, to, what, delay, sound }) =>
     does === "say"

@@ -19,6 +19,10 @@ const BOTH: readonly (readonly [string, Goal, string])[] = [
   ["one/look", { x: 1, y: 0, z: 2 }, "x = 1, y = 0, z = 2"],
   ["*/framing", { "*": 1 }, "*"],
   ["*/framing", { "ben+kaori": 0.25, "*": 0.75 }, '"ben+kaori" = 0.25, "*" = 0.75'],
+  ["one/expression", { ":pad moods": 1, ":x": 0.2, ":y": -0.5 }, 'pad = "moods", x = 0.2, y = -0.5'],
+  ["one/mouth", { ':pad 7"': 1, ":x": 0 }, 'pad = "7\\"", x = 0'],
+  ["one/face", { ":pad a=b": 1, ":x": -1, ":y": 0, ":z": 1 }, 'pad = "a=b", x = -1, y = 0, z = 1'],
+  ["one/expression", { pad: 0.5, x: 0.5 }, "pad = 0.5, x = 0.5"],
   ["one/face", { 'a "b" = c, d': 1 }, '"a \\"b\\" = c, d" = 1'],
 ];
 
@@ -47,6 +51,9 @@ describe("goals as text", () => {
 
   it("reads what the text files have too", () => {
     expect(parseGoal("one/expression", "{ joy = 0.7, neutral = 0.3 }")).toEqual({ joy: 0.7, neutral: 0.3 });
+    const point = { ":pad moods": 1, ":x": 0.2, ":y": -0.5 };
+    expect(parseGoal("one/expression", '{ pad = "moods", x = 0.2, y = -0.5 }')).toEqual(point);
+    expect(parseGoal("one/expression", "pad = moods, y = -0.5, x = 0.2")).toEqual(point);
     expect(parseGoal("one/face", '"dog"')).toEqual({ dog: 1 });
     expect(parseGoal("one/face", "my face")).toEqual({ "my face": 1 });
   });
@@ -64,6 +71,11 @@ describe("goals as text", () => {
     ["*/black", "black = 1°", '"1°" is no number for black'],
     ["*/black", "dark", "*/black goes to numbers: 1."],
     ["one/expression", "joy = much", '"much" is no number for joy'],
+    ["one/mouth", 'pad = "lips"', 'A pad goes to a place: pad = "lips", x = 0.2, y = -0.5.'],
+    ["one/mouth", 'pad = "lips", y = 0', "A pad goes to a place"],
+    ["one/mouth", 'pad = "lips", x = 0, joy = 1', "A pad goes to a place"],
+    ["one/mouth", 'pad = "lips", x = 0, y = 1.2', "y of a pad goes from -1 to 1, not to 1.2"],
+    ["*/light", 'pad = "moods", x = 0', '""moods"" is no number for pad'],
     ["one/expression", "joy = 0,7", '"7" is no goal'],
   ])("%s does not go to %s, in words", (part, text, words) => {
     expect(() => parseGoal(part, text)).toThrow(words);

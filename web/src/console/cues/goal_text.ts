@@ -5,6 +5,7 @@
 
 import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS, SPRINGS } from "../../link/constants";
 import { clipCallOf, clipWords } from "./clip_goal";
+import { goalOfPoint, isPadPart, padPointOf, padPointText, padPointWords, pointAt } from "./pad_goal";
 
 export type Goal = Readonly<Record<string, number>>;
 
@@ -86,6 +87,8 @@ export function goalText(part: string, goal: Goal): string {
   const entries = Object.entries(goal);
   const [first] = entries;
   if (first === undefined) return nothingOf(part) ?? WITH_FACE;
+  const point = padPointOf(goal);
+  if (point !== null) return padPointText(point);
   const clip = kindOf(part) === "clip" && entries.length > 1 ? clipCallOf(goal) : null;
   if (clip !== null) return clipWords(clip);
   const numbers = kindOf(part) in NUMBERS;
@@ -94,6 +97,12 @@ export function goalText(part: string, goal: Goal): string {
   const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];
   if (entries.length === 1 && plain && first[0] !== nothingOf(part)) return first[0];
   return entries.map(([name, value]) => `${keyText(name)} = ${number(name, value)}`).join(", ");
+}
+
+/** A goal as people read it who do not write it: the point of a pad in words. */
+export function goalWords(part: string, goal: Goal): string {
+  const point = padPointOf(goal);
+  return point === null ? goalText(part, goal) : padPointWords(point);
 }
 
 /** A number as people read it: angles in tenths of a degree, places in millimetres. */
@@ -106,6 +115,8 @@ function numberText(part: string, name: string, value: number): string {
 const keyText = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name));
 
 const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
+/** The name of a pad: in quotes, or what is no weight of an expression that is called pad. */
+const PAD_ENTRY = /^"?pad"?\s*=\s*("(?:[^"\\]|\\.)*"|(?![-+.\d])[^,"\s][^,]*?)\s*(?:,|$)/;
 const ENTRY = /^\s*(?:"((?:[^"\\]|\\.)*)"|([^=,"]+?))\s*=\s*([^,]*?)\s*(?:,|$)/;
 
 /**
@@ -118,12 +129,19 @@ export function parseGoal(part: string, text: string, before?: Goal): Record<str
     .replace(/^\{(.*)\}$/s, "$1")
     .trim();
   if (bare === "") throw new Error(`Give where ${part} goes: ${exampleOf(part)}.`);
+  const pad = isPadPart(kindOf(part)) ? PAD_ENTRY.exec(bare) : null;
+  if (pad !== null) return parsePoint(part, pad, bare);
   if (bare.replace(/"(?:[^"\\]|\\.)*"/g, "").includes("=")) return completed(part, parseEntries(part, bare), before);
   const numbers = NUMBERS[kindOf(part)];
   const name = unquoted(bare);
   if (numbers === undefined) return name === nothingOf(part) ? {} : { [name]: 1 };
   if (!takesOneNumber(part) || !NUMBER.test(bare)) throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
   return Object.fromEntries(Object.keys(numbers).map((each) => [each, Number(bare)]));
+}
+
+/** The goal that a text says which begins with the name of a pad. */
+function parsePoint(part: string, [whole, name = ""]: RegExpExecArray, text: string): Record<string, number> {
+  return goalOfPoint(pointAt(unquoted(name), parseEntries(part, text.slice(whole.length))));
 }
 
 function completed(part: string, goal: Goal, before?: Goal): Record<string, number> {
@@ -177,4 +195,4 @@ function unquoted(text: string): string {
 const exampleOf = (part: string): string =>
   (kindOf(part) === "look" && "character two, stage, yaw = 20°, pitch = 0°, or x = 0, y = 0, z = 2") ||
   firstGoal(part) ||
-  "a name, or weights such as joy = 0.7, neutral = 0.3";
+  `a name, or weights such as joy = 0.7, neutral = 0.3${isPadPart(kindOf(part)) ? ', or pad = "moods", x = 0.2, y = -0.5' : ""}`;

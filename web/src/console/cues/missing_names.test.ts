@@ -8,6 +8,7 @@ const KNOWN: KnownNames = {
   clip: new Set(["line1"]),
   character: new Set(["one", "two"]),
   "gaze point": new Set(["seat"]),
+  pad: new Set(["moods"]),
 };
 
 it.each([
@@ -29,6 +30,9 @@ it.each([
   ["one/clip", ["line1", ":start"], []],
   ["one/clip", ["line2", ":start"], ["no clip line2"]],
   ["one/clip", [], []],
+  ["one/expression", [":pad moods", ":x", ":y"], []],
+  ["one/face", [":pad faces", ":x", ":y"], ["no pad faces"]],
+  ["gone/mouth", [":pad lips", ":x"], ["no character gone", "no pad lips"]],
 ])("%s to %j lacks %j", (part, names, missing) => {
   expect(missingInMove(part, Object.fromEntries(names.map((name) => [name, 1])), KNOWN)).toEqual(missing);
 });

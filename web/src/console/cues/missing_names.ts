@@ -4,10 +4,11 @@ import { ALL, PLAY_REGIONS } from "../../link/constants";
 import type { Cue } from "../../link/messages";
 import { clipCallOf } from "./clip_goal";
 import { type Goal, kindOf } from "./goal_text";
+import { padPointOf } from "./pad_goal";
 
 /** The names that there are, by what they are of. */
 export type KnownNames = Readonly<
-  Record<"face" | "expression" | "light" | "clip" | "character" | "gaze point", ReadonlySet<string>>
+  Record<"face" | "expression" | "light" | "clip" | "character" | "gaze point" | "pad", ReadonlySet<string>>
 >;
 
 /** What a move names that there is not, in words: `no face dgo`. */
@@ -17,6 +18,8 @@ export function missingInMove(part: string, goal: Goal, known: KnownNames): stri
   const kind = kindOf(part);
   const lacks = (of: keyof KnownNames, name: string): string[] => (known[of].has(name) ? [] : [`no ${of} ${name}`]);
   const whose = owner === ALL ? [] : lacks("character", owner);
+  const point = padPointOf(goal);
+  if (point !== null) return [...whose, ...lacks("pad", point.pad)];
   if (kind === "face" || kind === "light") return [...whose, ...names.flatMap((name) => lacks(kind, name))];
   if (kind === "expression" || (PLAY_REGIONS as readonly string[]).includes(kind))
     return [...whose, ...names.flatMap((name) => lacks("expression", name))];

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Cue } from "../../link/messages";
+import type { Cue, PadState } from "../../link/messages";
 import type { Goal } from "./goal_text";
 import { lookOf, shownCharacter, trackedLooks } from "./tracked_looks";
 
@@ -32,6 +32,21 @@ it("shows whom a cue moves, as most of the face and of the expression is", () =>
   expect(shownCharacter(moved)).toBe("ben");
   expect(shownCharacter(cue({ "*/black": { black: 1 } }))).toBeNull();
   const [look] = trackedLooks([moved]);
-  expect(lookOf(look ?? {}, "ben", "generic")).toEqual({ face: "cat", expression: "neutral" });
-  expect(lookOf(look ?? {}, "kaori", "generic")).toEqual({ face: "generic", expression: "neutral" });
+  expect(lookOf(look ?? {}, "ben", "generic", [])).toEqual({ face: "cat", expression: "neutral" });
+  expect(lookOf(look ?? {}, "kaori", "generic", [])).toEqual({ face: "generic", expression: "neutral" });
+});
+
+it("shows what weighs most at a point of a pad, and what is at home where there is no such pad or place", () => {
+  const look = (mix: Record<string, number>, ...place: number[]) => ({ label: "", mix, place });
+  const looks = [
+    look({ neutral: 1 }, 0, 0),
+    look({ joy: 0.5, fear: 0.5 }, 1, 0),
+    look({ joy: 0.5, rage: 0.5 }, 0.9, 0.3),
+  ];
+  const moods: PadState = { name: "moods", part: "expression", dimensions: 2, looks, missing: [] };
+  const shown = (goal: Goal) => lookOf({ "ben/expression": goal }, "ben", "generic", [moods]).expression;
+  expect(shown({ ":pad moods": 1, ":x": 0.1, ":y": 0 })).toBe("neutral");
+  expect(shown({ ":pad moods": 1, ":x": 0.95, ":y": 0.15 })).toBe("joy");
+  expect(shown({ ":pad moods": 1, ":x": 1 })).toBe("neutral");
+  expect(shown({ ":pad gone": 1, ":x": 0.95, ":y": 0.15 })).toBe("neutral");
 });

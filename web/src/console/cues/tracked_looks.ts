@@ -1,9 +1,11 @@
 /** What the cues of a list leave standing, as `perform/cues/tracking.py` has it, and the picture of that. */
 
 import { ALL, PLAY_REGIONS } from "../../link/constants";
-import type { Cue } from "../../link/messages";
+import type { Cue, PadState } from "../../link/messages";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
+import { softBands } from "../pads/blend_space";
 import { type Goal, kindOf } from "./goal_text";
+import { padPointOf } from "./pad_goal";
 
 export type Tracked = Readonly<Record<string, Goal>>;
 
@@ -37,13 +39,31 @@ export function shownCharacter({ moves }: Pick<Cue, "moves">): string | null {
   return part === undefined ? null : ownerOf(part);
 }
 
-/** The picture of what stands of a character: the face and the expression that show most. `home`: where no cue says. */
-export function lookOf(tracked: Tracked, character: string, home: string): ThumbnailSubject {
-  return {
-    face: mostOf(tracked[`${character}/face`]) ?? home,
-    expression: mostOf(tracked[`${character}/expression`]) ?? "neutral",
-  };
+/**
+ * The picture of what stands of a character: the face and the expression that show most. `home`: where no cue
+ * says; `pads`: those of the show.
+ */
+export function lookOf(tracked: Tracked, character: string, home: string, pads: readonly PadState[]): ThumbnailSubject {
+  const most = (part: string): string | undefined => mostOf(mixOf(tracked[`${character}/${part}`] ?? {}, pads));
+  return { face: most("face") ?? home, expression: most("expression") ?? "neutral" };
 }
 
-const mostOf = (goal: Goal | undefined): string | undefined =>
-  Object.entries(goal ?? {}).toSorted(([, one], [, other]) => other - one)[0]?.[0];
+/** Weights by name: of a point of a pad those of its looks there, none where there is no such pad or place. */
+function mixOf(goal: Goal, pads: readonly PadState[]): Goal {
+  const point = padPointOf(goal);
+  if (point === null) return goal;
+  const pad = pads.find(({ name }) => name === point.pad);
+  if (pad === undefined || pad.dimensions !== point.place.length) return {};
+  const shown = softBands(
+    pad.looks.map(({ place }) => place),
+    point.place,
+  );
+  const mix: Record<string, number> = {};
+  for (const [at, look] of pad.looks.entries())
+    for (const [name, weight] of Object.entries(look.mix))
+      mix[name] = (mix[name] ?? 0) + weight * (shown[at] as number);
+  return mix;
+}
+
+const mostOf = (goal: Goal): string | undefined =>
+  Object.entries(goal).toSorted(([, one], [, other]) => other - one)[0]?.[0];

@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { FromClient, PadList } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
 import { DRAG_PACE, PadCommands, padsOf } from "./pad_commands";
@@ -45,6 +45,16 @@ describe("the pads of a show", () => {
   it("keep their choice under another name", () => {
     expect(commands.rename(pad("mouth"), "lips")).toBe("lips");
     expect(store.arrangement.pads).toEqual(["lips", "moods"]);
+  });
+
+  it("keep their choice and their name where the show refuses another one", () => {
+    const refused = vi.fn();
+    commands.rename(pad("mouth"), "lips", refused);
+    const id = (asked()[0] as { id: string }).id;
+    store.receive({ type: "refused", reason: "lips is taken", id, held: [] });
+    expect(refused).toHaveBeenCalledOnce();
+    expect(store.arrangement.pads).toEqual(["mouth", "moods"]);
+    expect(store.notice).toBe("lips is taken");
   });
 });
 

@@ -11,10 +11,13 @@ import { freeLabel, freeName, type PadContent, restOf, shownMix, withLook } from
 export const DRAG_PACE = 50;
 
 /** The pads of the show, those that this console has chosen first. */
-export function padsOf(store: ConsoleStore): readonly PadState[] {
-  const pads = store.newest("pad_list")?.pads ?? [];
-  const chosen = store.arrangement.pads.flatMap((name) => pads.filter((pad) => pad.name === name));
-  return [...chosen, ...pads.filter((pad) => !chosen.includes(pad))];
+export const padsOf = (store: ConsoleStore): readonly PadState[] =>
+  inOrder(store.newest("pad_list")?.pads ?? [], store.arrangement.pads);
+
+/** Pads, those first whose names are chosen. */
+export function inOrder(pads: readonly PadState[], chosen: readonly string[]): readonly PadState[] {
+  const first = chosen.flatMap((name) => pads.filter((pad) => pad.name === name));
+  return [...first, ...pads.filter((pad) => !first.includes(pad))];
 }
 
 /** Where the point of a pad stands on the character whose values are shown. */
@@ -34,23 +37,32 @@ export class PadCommands {
     return new PadDrag(this.store, pad, what);
   }
 
-  /** The name that the pad has then; null where it was not sent. */
-  rename(pad: PadState, to: string): string | null {
+  /** The name that the pad has then; null where it was not sent. `refused`: told where the show keeps the old one. */
+  rename(pad: PadState, to: string, refused = (): void => undefined): string | null {
     if (to === "" || to === pad.name) return null;
     const key = randomId();
-    const { pads } = this.store.arrangement;
     const sent = this.#act(
       { type: "rename_pad", name: pad.name, to, key },
       key,
       `rename ${pad.name}`,
       `${pad.name} is called ${to} now.`,
+      () => {
+        this.#chooseInstead(to, pad.name);
+        refused();
+      },
     );
-    if (sent && pads.includes(pad.name))
-      this.store.arrange({ pads: pads.map((name) => (name === pad.name ? to : name)) });
+    if (sent) this.#chooseInstead(pad.name, to);
     return sent ? to : null;
   }
 
-  copy(pad: PadState): string | null {
+  /** A pad that this console has chosen is chosen under another name. */
+  #chooseInstead(before: string, name: string): void {
+    const { pads } = this.store.arrangement;
+    if (pads.includes(before)) this.store.arrange({ pads: pads.map((each) => (each === before ? name : each)) });
+  }
+
+  /** The name of the copy; null where it was not sent. `refused`: told where there is none. */
+  copy(pad: PadState, refused = (): void => undefined): string | null {
     const key = randomId();
     const to = freeName(pad.name, this.store.newest("pad_list")?.pads ?? []);
     return this.#act(
@@ -58,6 +70,7 @@ export class PadCommands {
       key,
       `copy ${pad.name}`,
       `${to} is a copy of ${pad.name}.`,
+      refused,
     )
       ? to
       : null;
@@ -102,12 +115,13 @@ export class PadCommands {
     };
   }
 
-  #act(asked: Asked, key: string, what: string, done: string): boolean {
+  #act(asked: Asked, key: string, what: string, done: string, failed = (): void => undefined): boolean {
     const back = { type: "restore_pad", key } as const;
     const step = { what, undo: [back], redo: [back] };
     const refused = ({ reason }: { reason: string }): void => {
       this.store.history.skip(step);
       this.store.say(reason);
+      failed();
     };
     if (!this.store.ask(asked, { refused })) return false;
     this.store.offerUndo(done, step);

@@ -13,7 +13,7 @@ import type { Axis } from "../store/axis";
 import { PadCommands, type PadDrag } from "./pad_commands";
 import { padEditorStyle } from "./pad_editor_style";
 import { across, PadFieldElement, placeAt, wayOf } from "./pad_field";
-import { freeLabel, freeName, type PadContent, padName, roomiest, scaled, spread, withMoved } from "./pad_layout";
+import { freeLabel, nameTaken, type PadContent, padName, roomiest, scaled, spread, withMoved } from "./pad_layout";
 import { padStyle } from "./pad_style";
 
 /** A pointer this near to a look (of the pad's width) takes it along. */
@@ -27,7 +27,10 @@ const OWED = 1000;
 /** Faces or expressions that a search shows. */
 const MOST_FOUND = 6;
 
-/** Tells `done`, `draft` (a pad that is not kept yet), `renamed` (its new name). */
+/** Which pad is to be edited once the list has it: `from` by another name, or where that is null a copy. */
+export type NextPad = Readonly<{ from: string | null; to: string }>;
+
+/** Tells `done`, `draft` (a pad that is not kept yet), `next` (`NextPad`; null where the show has refused it). */
 @customElement("omote-pad-editor")
 export class PadEditor extends PadFieldElement {
   /** It has not been kept yet: it has too few looks. */
@@ -39,6 +42,8 @@ export class PadEditor extends PadFieldElement {
   @state() private search = "";
   /** What is typed a name of. */
   @state() private naming: "" | "pad" | "look" = "";
+  /** Which pad has the name that was typed; "" for none. */
+  @state() private taken = "";
   @state() private over = false;
   @query(".naming") private nameField!: HTMLInputElement | null;
   @query(".dot") private dot!: HTMLElement;
@@ -99,9 +104,15 @@ export class PadEditor extends PadFieldElement {
 
   #nameField() {
     const [what, before] = this.naming === "pad" ? ["pad", this.pad.name] : ["look", this.chosen];
-    return html`<input class="naming" aria-label="Name of the ${what}" .value=${before} maxlength=${this.naming === "pad" ? 24 : 40} @keydown=${this.#nameKey} />
+    return html`<input class="naming" aria-label="Name of the ${what}" aria-describedby="name-note" .value=${before} maxlength=${this.naming === "pad" ? 24 : 40} @keydown=${this.#nameKey} @input=${() => (this.taken = "")} />
+      <p id="name-note" class="whole note ${this.taken === "" ? "" : "wrong"}" role="status">${this.#nameNote}</p>
       <button class="whole" data-do="take-name" @click=${this.#takeName}>Take this name</button>
       <button class="whole" @click=${() => (this.naming = "")}>Cancel</button>`;
+  }
+
+  get #nameNote(): string {
+    if (this.taken !== "") return `There is a pad ${this.taken} already.`;
+    return this.naming === "pad" ? "Hyphens are put for spaces." : "";
   }
 
   get #found() {
@@ -324,6 +335,11 @@ export class PadEditor extends PadFieldElement {
   #beginNaming(what: "pad" | "look"): void {
     if (what === "look" && this.#index < 0) return;
     this.naming = what;
+    this.taken = "";
+    this.#focusName();
+  }
+
+  #focusName(): void {
     void this.updateComplete.then(() => {
       this.nameField?.focus();
       this.nameField?.select();
@@ -341,13 +357,20 @@ export class PadEditor extends PadFieldElement {
   readonly #takeName = (): void => {
     const typed = this.nameField?.value.trim() ?? "";
     const { naming, pad } = this;
+    const name = padName(typed);
+    this.taken = naming === "pad" ? nameTaken(name, pad.name, this.store.newest("pad_list")?.pads ?? []) : "";
+    if (this.taken !== "") {
+      this.#focusName();
+      return;
+    }
     this.naming = "";
     if (typed === "") return;
     if (naming === "look") this.#nameLook(typed);
-    else if (this.draft)
-      this.#tellDraft({ ...pad, name: freeName(padName(typed), this.store.newest("pad_list")?.pads ?? []) });
-    else this.#tell("renamed", this.#commands.rename(pad as PadState, padName(typed)));
+    else if (this.draft) this.#tellDraft({ ...pad, name });
+    else this.#tellNext(pad.name, this.#commands.rename(pad as PadState, name, this.#refused));
   };
+
+  readonly #refused = (): void => void this.dispatchEvent(new CustomEvent<NextPad | null>("next", { detail: null }));
 
   #nameLook(label: string): void {
     const before = this.chosen;
@@ -357,15 +380,14 @@ export class PadEditor extends PadFieldElement {
     this.#put({ ...this.pad, looks }, `name ${before} on ${this.pad.name}`, `${before} is called ${label} now.`);
   }
 
-  readonly #copy = (): void => this.#tell("renamed", this.#commands.copy(this.pad as PadState));
+  readonly #copy = (): void => this.#tellNext(null, this.#commands.copy(this.pad as PadState, this.#refused));
 
   readonly #delete = (): void => {
     if (this.draft || this.#commands.delete(this.pad as PadState)) this.#done();
   };
 
-  /** Tells which pad is edited from now on. */
-  #tell(what: string, name: string | null): void {
-    if (name !== null) this.dispatchEvent(new CustomEvent<string>(what, { detail: name }));
+  #tellNext(from: string | null, to: string | null): void {
+    if (to !== null) this.dispatchEvent(new CustomEvent<NextPad | null>("next", { detail: { from, to } }));
   }
 
   readonly #done = (): void => void this.dispatchEvent(new CustomEvent("done"));

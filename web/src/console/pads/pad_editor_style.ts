@@ -51,6 +51,18 @@ export const padEditorStyle = css`
     width: 100%;
     min-height: 28px;
   }
+  .note {
+    margin: 0;
+    color: var(--dim);
+    font-size: 12px;
+    overflow-wrap: anywhere;
+  }
+  .note:empty {
+    display: none;
+  }
+  .note.wrong {
+    color: var(--attention);
+  }
   .search {
     position: relative;
     display: grid;

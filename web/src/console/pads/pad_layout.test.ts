@@ -6,6 +6,7 @@ import {
   freeLabel,
   freeName,
   freePlace,
+  nameTaken,
   neutralPlace,
   padName,
   roomiest,
@@ -119,6 +120,9 @@ describe("what a pad is told", () => {
   it("gives names that an address can have", () => {
     expect(padName("  my mood: 1/2 ")).toBe("my-mood-1-2");
     expect(padName("x".repeat(40))).toHaveLength(24);
+    const pads = [{ name: "Moods" }, { name: "lips" }];
+    expect(["mOODS", "Moods", "own"].map((name) => nameTaken(name, "lips", pads))).toEqual(["Moods", "Moods", ""]);
+    expect(nameTaken("LIPS", "lips", pads)).toBe("");
     expect(freeName("moods", [{ name: "Moods" }, { name: "moods-2" }])).toBe("moods-3");
   });
 });

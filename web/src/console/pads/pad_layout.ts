@@ -160,6 +160,12 @@ export const padName = (typed: string): string =>
     .replace(/[\s/*?[\]{}#,:]+/g, "-")
     .slice(0, LONGEST_NAME);
 
+/** Which pad has a name already, whatever its case, other than the one that is called `own`; "" for none. */
+export function nameTaken(name: string, own: string, pads: readonly Pick<PadState, "name">[]): string {
+  const same = (other: string): boolean => other !== own && other.toLowerCase() === name.toLowerCase();
+  return pads.find((pad) => same(pad.name))?.name ?? "";
+}
+
 /** A name that no pad has: a number behind it where one does. */
 export function freeName(name: string, pads: readonly Pick<PadState, "name">[]): string {
   const taken = new Set(pads.map((pad) => pad.name.toLowerCase()));

@@ -13,6 +13,7 @@ import { PadCommands, padsOf } from "./pad_commands";
 import { freeName, PAD_PARTS, PART_WORDS, type PadContent, type PadPart, padName, restOf } from "./pad_layout";
 import { padPanelStyle } from "./pad_panel_style";
 import "./blend_pad";
+import type { NextPad } from "./pad_editor";
 import "./pad_editor";
 
 const DIMENSIONS = [2, 1, 3] as const;
@@ -24,6 +25,8 @@ export class PadPanel extends ConsoleElement {
   /** A pad that is made here and not kept yet: it has too few looks. */
   @state() private begun: PadContent | null = null;
   @state() private asks = false;
+  /** What is edited next, once the list has it. */
+  #next: NextPad | null = null;
   @query("form input") private nameField!: HTMLInputElement | null;
 
   static override styles = [base, padPanelStyle];
@@ -58,7 +61,7 @@ export class PadPanel extends ConsoleElement {
 
   #form() {
     return html`<form @submit=${this.#make} @keydown=${this.#formKey}>
-      <input name="name" required maxlength="24" placeholder="name" aria-label="Name of the new pad" autocomplete="off" />
+      <input name="name" required maxlength="24" placeholder="name" aria-label="Name of the new pad" title="Up to 24 letters; hyphens are put for spaces" autocomplete="off" />
       <select name="part" aria-label="What it plays">${PAD_PARTS.map((part) => html`<option value=${part}>${PART_WORDS[part]}</option>`)}</select>
       <select name="dimensions" aria-label="Dimensions">${DIMENSIONS.map((count) => html`<option value=${count}>${DIMENSION_WORDS[count]}</option>`)}</select>
       <button type="submit">Make</button><button type="button" @click=${() => (this.asks = false)}>Cancel</button></form>`;
@@ -74,7 +77,7 @@ export class PadPanel extends ConsoleElement {
 
   #editor(pad: PadContent, draft: boolean) {
     return html`<omote-pad-editor class="panel" data-pad=${pad.name} .context=${this.context} .pad=${pad} .draft=${draft}
-      @draft=${this.#keepDraft} @renamed=${({ detail }: CustomEvent<string>) => this.#edit(detail)} @done=${() => this.#edit("")}></omote-pad-editor>`;
+      @draft=${this.#keepDraft} @next=${({ detail }: CustomEvent<NextPad | null>) => (this.#next = detail)} @done=${() => this.#edit("")}></omote-pad-editor>`;
   }
 
   #choose(name: string, on: boolean): void {
@@ -85,6 +88,7 @@ export class PadPanel extends ConsoleElement {
   /** Edits a pad, "" for none; what was begun and not kept is gone. */
   #edit(name: string): void {
     this.begun = null;
+    this.#next = null;
     this.store.editPad(name);
   }
 
@@ -125,7 +129,11 @@ export class PadPanel extends ConsoleElement {
   };
 
   protected override willUpdate(): void {
-    const { begun } = this;
-    if (begun !== null && padsOf(this.store).some(({ name }) => name === begun.name)) this.begun = null;
+    const names = padsOf(this.store).map(({ name }) => name);
+    if (this.begun !== null && names.includes(this.begun.name)) this.begun = null;
+    const next = this.#next;
+    if (next === null || !names.includes(next.to) || (next.from !== null && names.includes(next.from))) return;
+    this.#next = null;
+    this.store.editPad(next.to);
   }
 }

@@ -1,7 +1,7 @@
 /** The page for one person alone: two pads, the face, keys for looks and lines, and what comes next. */
 
 import { html, nothing } from "lit";
-import { customElement, property, query, queryAll, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import type { Library } from "../../link/assets";
 import { pressed } from "../../ui/gestures";
 import { hasFieldFocus, listenToKeys } from "../../ui/key_presses";
@@ -19,6 +19,7 @@ import { SOLO_PARTS, type SoloPart } from "../store/arrangement";
 import { isPanic, stepOf } from "../store/keys";
 import type { Topic } from "../store/page_store";
 import { toggleStill } from "../store/stillness";
+import { NO_PLACES, placesAfter, withChosen } from "./pad_places";
 import { SOLO_KEYS, type SoloCommand, soloCommandOf } from "./solo_keys";
 import { soloPageStyle } from "./solo_page_style";
 import "../clips/clip_tiles";
@@ -50,7 +51,7 @@ export class SoloPage extends ConsoleElement {
   @state() private choosing = false;
   @query("omote-monitor") private monitor!: Monitor;
   @query("omote-memories") private memories!: MemoryRow | null;
-  @queryAll("omote-blend-pad") private pads!: NodeListOf<BlendPad>;
+  #places = NO_PLACES;
 
   static override styles = [palette, base, offersStyle, soloPageStyle];
 
@@ -168,21 +169,35 @@ export class SoloPage extends ConsoleElement {
   /** The pad of one side, and the choice of another. */
   #pad(side: (typeof SIDES)[number], at: number) {
     const pads = padsOf(this.store);
-    const pad = pads[at];
-    if (pad === undefined)
-      return html`<div class="${side} panel empty">No pad: make one at the console (Shift H).</div>`;
-    return html`<omote-blend-pad bare class="${side} panel live" data-pad=${pad.name} .context=${this.context} .pad=${pad}>
-      <select aria-label="The ${side} pad" @change=${(event: Event) => this.#choosePad(at, textOf(event))}>${pads.map(({ name }) => html`<option value=${name} .selected=${name === pad.name}>${name}</option>`)}</select></omote-blend-pad>`;
+    const shown = this.#places.names[at] as string;
+    const pad = pads.find(({ name }) => name === shown);
+    if (shown === "") return html`<div class="${side} panel empty">No pad: make one at the console (Shift H).</div>`;
+    const choice = html`<select data-place=${at} aria-label="The ${side} pad" @change=${(event: Event) => this.#choosePad(at, textOf(event))}>
+        ${pad === undefined ? html`<option value="" disabled>Choose a pad</option>` : nothing}${pads.map(({ name }) => html`<option value=${name}>${name}</option>`)}</select>`;
+    return pad === undefined
+      ? html`<div class="${side} panel empty" role="alert">The pad ${shown} is gone: choose another.${pads.length === 0 ? nothing : choice}</div>`
+      : html`<omote-blend-pad bare class="${side} panel live" data-pad=${shown} .context=${this.context} .pad=${pad}>${choice}</omote-blend-pad>`;
   }
 
-  /** Puts a pad on one side; where the other has it, they change sides. */
   #choosePad(at: number, name: string): void {
-    const shown = padsOf(this.store)
-      .slice(0, 2)
-      .map((pad) => pad.name);
-    const sides = shown.map((before, side) => (side === at ? name : before === name ? (shown[at] as string) : before));
-    const others = this.store.arrangement.pads.filter((other) => !sides.includes(other));
-    this.store.arrange({ pads: [...sides, ...others] });
+    this.#places = withChosen(this.#places, at, name);
+    this.store.arrange({ pads: this.#places.chosen });
+  }
+
+  protected override willUpdate(): void {
+    const { arrangement } = this.store;
+    const list = this.store.newest("pad_list");
+    if (list !== null) this.#places = placesAfter(this.#places, list.pads, arrangement.pads);
+  }
+
+  /** A choice has its value once its options are there; what is chosen has its new names. */
+  protected override updated(): void {
+    for (const choice of this.renderRoot.querySelectorAll<HTMLSelectElement>("select[data-place]")) {
+      const name = this.#places.names[Number(choice.dataset.place)] as string;
+      choice.value = this.#places.pads.some((pad) => pad.name === name) ? name : "";
+    }
+    const { chosen } = this.#places;
+    if (this.#places !== NO_PLACES && chosen !== this.store.arrangement.pads) this.store.arrange({ pads: chosen });
   }
 
   readonly #learn = (): void => {
@@ -232,7 +247,7 @@ export class SoloPage extends ConsoleElement {
 
   #focusOn(place: "left" | "right" | "head"): void {
     if (place === "head") this.renderRoot.querySelector<HTMLElement>("omote-pad")?.focus();
-    else this.pads[SIDES.indexOf(place)]?.focus();
+    else this.renderRoot.querySelector<BlendPad>(`omote-blend-pad.${place}`)?.focus();
   }
 
   /** The space bar is GO alone: the button in focus is not pressed by it too. */

@@ -164,6 +164,10 @@ export const soloPageStyle = css`
     text-align: center;
     color: var(--dim);
   }
+  .empty select {
+    margin-top: 8px;
+    min-height: 44px;
+  }
   .lines {
     grid-area: lines;
     min-width: 0;
