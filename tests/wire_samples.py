@@ -5,6 +5,8 @@ import typing
 
 import msgspec
 
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
+
 
 def sample_of(kind: type[msgspec.Struct]) -> msgspec.Struct:
     """A message with plain values in all fields."""
@@ -25,5 +27,7 @@ def _value(annotation: object) -> object:
         return () if Ellipsis in arguments else tuple(map(_value, arguments))
     if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
         return sample_of(annotation)
+    if annotation is MacroMapping:
+        return MacroMapping("m", (MacroTarget("channel/jawOpen"),))
     plain: dict[object, object] = {str: "x", float: 0.5, int: 1, bool: False, bytes: b"", list: [], dict: {}}
     return plain[origin or annotation]

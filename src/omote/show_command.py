@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from omote.show.access.people_list import People
 
 HIGHEST_PORT = 65535
-PAGES = "stage", "console", "cues", "clips", "notes", "runs", "editor", "camera", "microphone", "devices"
+PAGES = "stage", "console", "solo", "cues", "clips", "notes", "runs", "editor", "camera", "microphone", "devices"
 """What a browser opens of a show, as the start lists it."""
 
 

@@ -23,6 +23,7 @@ from omote.server.supervision.show_process import open_reopenable_work
 from omote.show.declaration import ClientMessage, Message, ServerMessage
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, STATE_RATE
 from omote.show.objects.faders import Hands
+from omote.show.objects.hand.pads import PadList
 from omote.show.objects.link import Bus, Hello, Ping, Pong, Role, Welcome
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
@@ -63,8 +64,9 @@ class ShowHarness:
 
 
 async def answer(socket: aiohttp.ClientWebSocketResponse) -> ServerMessage:
-    """The next message of the server."""
-    return decode_answer(await socket.receive_bytes(timeout=60.0))
+    """The next message of the server but the list of pads, which every show has and tells all consoles."""
+    message = decode_answer(await socket.receive_bytes(timeout=60.0))
+    return await answer(socket) if isinstance(message, PadList) else message
 
 
 async def state(socket: aiohttp.ClientWebSocketResponse) -> State:

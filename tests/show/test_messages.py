@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.show.declaration import Message, snake_case
 from omote.show.messages import CLIENT_MESSAGES, SERVER_MESSAGES
 from omote.show.objects.calls import CallFace
@@ -64,4 +65,6 @@ def _value(hint: object) -> object:
         return None
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
         return _example(hint)
+    if hint is MacroMapping:
+        return MacroMapping("m", (MacroTarget("channel/jawOpen"),))
     return {str: "smile", float: 0.25, int: 1, bool: True, bytes: b"\xb0\x07\x40"}[hint]  # type: ignore[index]

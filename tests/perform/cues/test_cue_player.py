@@ -12,12 +12,17 @@ from omote.perform.clips.clip import Clip, Lane
 from omote.perform.clips.motion_curve import make_curve
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_player import CuePlayer
-from omote.perform.scene.goals import CHARACTER_PARTS, PASSING, SCENE_PARTS, Goal, Part, is_setting, ranges_of
+from omote.perform.scene.goals import CHARACTER_PARTS, MACROS, PASSING, SCENE_PARTS, Goal, Part, is_setting, ranges_of
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from tests import synthetic
 
-PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS if part not in PASSING), *(f"*/{part}" for part in SCENE_PARTS))
+PARTS = (
+    *(
+        f"one/{part}" for part in CHARACTER_PARTS if part not in (*PASSING, MACROS)
+    ),  # a character has no macros at first
+    *(f"*/{part}" for part in SCENE_PARTS),
+)
 NAMES = {
     "face": synthetic.FACES,
     "light": ("theatre", "flat", "portrait"),

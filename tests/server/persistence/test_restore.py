@@ -71,7 +71,7 @@ def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report:
 def test_consoles_are_told_which_show_it_is(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     def told(show: ShowFile | None) -> str:
         session = restore(cast, show, ORDER, report)
-        (welcome,) = session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
+        welcome = session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)[0]
         assert isinstance(welcome.message, Welcome)
         return welcome.message.show
 

@@ -22,6 +22,8 @@ MOST_KNOTS = 7
 NEAREST_KNOTS = 0.01
 """How near two knots may be: nearer, a hand would meet a step."""
 Pieces = tuple[tuple[float, float, float, float, float, float, float, float, float], ...]
+FLAT = 1e-9
+"""What rises by less over the whole way is flat."""
 STEEPEST = 3.0
 """The radius of the circle, in slopes of the chord, within which a cubic between two knots is monotone."""
 
@@ -100,7 +102,7 @@ def slopes_at(knots: Knots) -> list[float]:
     inner = [0.0 if before * after <= 0.0 else (before + after) / 2.0 for before, after in pairwise(chords)]
     slopes = [chords[0], *inner, chords[-1]]
     for place, chord in enumerate(chords):
-        if chord == 0.0:
+        if abs(chord) < FLAT:  # and a slope over it might be more than a number holds
             slopes[place] = slopes[place + 1] = 0.0
             continue
         leaves = slopes[place] / chord
