@@ -12,6 +12,7 @@ from omote.show.objects.faders import SetChannel, SetHead
 from omote.show.objects.hand.macros import FinishMapping, LearnMapping, MappingLearned
 from omote.show.objects.link import Hello, Refused
 from omote.show.session import ShowSession
+from omote.show.wire import decode, encode
 
 
 @pytest.fixture(name="session")
@@ -94,3 +95,10 @@ def test_eight_targets_at_most(session: ShowSession, cast: Cast) -> None:
     mapping = session.scene["one"].mappings["smile"]
     assert isinstance(mapping, MacroMapping)
     assert len(mapping.targets) == 8
+
+
+def test_the_longest_id_of_a_lesson_gives_a_mapping_that_a_recording_can_keep(session: ShowSession) -> None:
+    session.receive("ana", LearnMapping("n" * 64, "one", "smile"), 0.0)
+    touch(session)
+    _, (mapping, *_) = session.learning.end(keeps=True)
+    assert decode(encode(mapping)) == mapping

@@ -15,6 +15,8 @@ from omote.show.objects.hand.macros import MappingLearned, MoveMacro, SetMapping
 
 LEARNS_SECONDS = 60.0
 """After which learning ends by itself, where nothing is touched: what was touched is kept."""
+CALL_KEPT = 56
+"""Letters of the id of a lesson in that of its mapping, which has 64 at most."""
 MOVED = 1e-4
 """Of a weight, or radians: what moved less was not touched."""
 
@@ -107,7 +109,7 @@ class MappingLearning:
         mapping = mapping_of(learner)
         if not keeps or mapping is None or learner.character not in self._scene():
             return learner.who, []
-        messages: list[ClientMessage] = [SetMapping(learner.character, learner.call + " learned"[:64], mapping)]
+        messages: list[ClientMessage] = [SetMapping(learner.character, f"{learner.call[-CALL_KEPT:]} learned", mapping)]
         faders = _faders_back(learner, self._scene()[learner.character].held_by_faders)
         return learner.who, [*messages, *faders, MoveMacro(learner.character, learner.name, 1.0)]
 
