@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from omote.perform.limits import check_free, check_known, check_within
 from omote.perform.mappings.mapping import MacroMapping, check_macro_name
+from omote.perform.newest_entries import with_newest
 
 MOST_MAPPINGS = 64
 """Of one character."""
@@ -86,9 +87,8 @@ def with_change(mappings: Mappings, change: Change, key: str) -> Mappings:
     kept = _after(mappings.kept, change)
     if len(kept) > MOST_MAPPINGS:
         raise ValueError(f"there are {MOST_MAPPINGS} macros, which is as many as a character keeps; delete one")
-    replaced = {other: each for other, each in mappings.replaced.items() if other != key}
-    replaced[key] = {name: mappings.kept.get(name) for name in change}
-    return Mappings(kept, dict([*replaced.items()][-MOST_REPLACED:]))
+    before = {name: mappings.kept.get(name) for name in change}
+    return Mappings(kept, with_newest(mappings.replaced, key, before, MOST_REPLACED))
 
 
 def renaming_in(before: ByName, after: ByName) -> tuple[str, str] | None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from omote.perform.limits import check_free, check_known, check_within
+from omote.perform.newest_entries import with_newest
 from omote.perform.pads.blend_space import MOST_PADS, Pad, check_pad_name
 
 MOST_REPLACED = 16
@@ -99,9 +100,7 @@ def with_change_back(pads: Pads, key: str) -> tuple[Pads, dict[str, str]]:
 def _changed(pads: Pads, kept: Mapping[str, Pad], change: PadChange, key: str) -> Pads:
     if len(kept) > MOST_PADS and len(kept) > len(pads.kept):
         raise ValueError(f"there are {MOST_PADS} pads, which is as many as a show keeps; delete one")
-    changes = {other: each for other, each in pads.changes.items() if other != key}
-    changes[key] = change
-    return Pads(dict(kept), dict([*changes.items()][-MOST_REPLACED:]))
+    return Pads(dict(kept), with_newest(pads.changes, key, change, MOST_REPLACED))
 
 
 def check_pads(pads: Pads) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from omote.perform.frame import Gaze, Head
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.mappings.mapping import MACRO_LIMITS
+from omote.perform.newest_entries import with_newest
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE, PadPlace
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, TURN_LIMITS, Goal, Part, check_goal
@@ -92,12 +93,11 @@ def with_restored(memories: Memories, key: str) -> Memories:
 
 
 def _replaced(memories: Memories, name: str, memory: Memory | None, key: str) -> Memories:
-    replaced = {other: change for other, change in memories.replaced.items() if other != key}
-    replaced[key] = Replaced(name, memories.kept.get(name))
+    before = Replaced(name, memories.kept.get(name))
     kept = {**memories.kept, name: memory}
     return Memories(
         {other: each for other, each in kept.items() if each is not None},
-        dict([*replaced.items()][-MOST_REPLACED:]),
+        with_newest(memories.replaced, key, before, MOST_REPLACED),
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TypeVar
 
+from omote.perform.newest_entries import with_newest
 from omote.perform.scene.character_names import names_in
 from omote.perform.scene.scene_snapshot import MOST_REMOVALS, CharacterSnapshot, Removal
 
@@ -21,9 +22,7 @@ def with_removal(removals: Removals, key: str, removal: Removal) -> dict[str, Re
     One that is removed again while it is on its way comes back as before the first time.
     """
     under_way = next((former for former in removals.values() if _is_under_way(former, removal.character)), removal)
-    others = {name: former for name, former in removals.items() if name != key}
-    newest = list({**others, key: under_way}.items())[-MOST_REMOVALS:]
-    return dict(newest)
+    return with_newest(removals, key, under_way, MOST_REMOVALS)
 
 
 def with_kept(removals: Removals, character: str, snapshot: CharacterSnapshot) -> dict[str, Removal]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from omote.perform.frame import Gaze, Head
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
+from omote.perform.newest_entries import with_newest
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.snapshot import Playable
@@ -52,7 +53,6 @@ QUIET_SECONDS = 10.0
 """After which a source that sees nobody keeps its characters from no other."""
 WATCH_SECONDS = 0.05
 """Between two reports of what a source sends, to who watches it."""
-Kept = TypeVar("Kept")
 
 
 @dataclass(frozen=True)
@@ -338,7 +338,7 @@ class OpenSources:
         before = self.route(name)
         gone = set(self._driven(scene, name))
         route = replace(route, number=1 + max((other.number for other in self._routes.values()), default=0))
-        self._routes = _with(self._routes, name, route)
+        self._routes = with_newest(self._routes, name, route, MOST_REMEMBERED)
         self._changed = True
         stay = set(self._driven(scene, name)) if route.layer == before.layer else set[str]()
         for character in sorted(gone - stay):
@@ -361,19 +361,13 @@ class OpenSources:
         otherwise alone, which changes no value."""
         before = self._calibrations.get(performer, AS_IT_IS)
         same = replace(before, smoothing=calibration.smoothing) == calibration
-        self._calibrations = _with(self._calibrations, performer, calibration)
+        self._calibrations = with_newest(self._calibrations, performer, calibration, MOST_REMEMBERED)
         self._changed = True
         for index, source in self._open.items():
             if source.performer == performer:
                 self._open[index] = replace(source, measure=measure_of(calibration, source.names))
                 for name in () if same else self._driven(scene, source.name):
                     scene[name].recalibrate_layer(self.route(source.name).layer, source.name)
-
-
-def _with(kept: Mapping[str, Kept], name: str, value: Kept) -> dict[str, Kept]:
-    """The same with one more, the newest last; the oldest goes where there are too many."""
-    others = [(key, old) for key, old in kept.items() if key != name]
-    return dict([*others, (name, value)][-MOST_REMEMBERED:])
 
 
 def _listed(values: Values | None) -> list[float] | None:

@@ -10,6 +10,7 @@ from msgspec import structs
 
 from omote.perform.clips.clip import Clip
 from omote.perform.limits import check_free, check_known
+from omote.perform.newest_entries import with_newest
 from omote.show.cues.cue_book import CueBook
 from omote.show.objects.speech import (
     LONGEST_SOUND_NAME,
@@ -117,8 +118,7 @@ class NamedSounds:
     # --- within ---
 
     def _lay_aside(self, name: str, sound: StoredSound) -> None:
-        others = {each: other for each, other in self.dropped.items() if each != name}
-        self.dropped = dict([*others.items(), (name, sound)][-MOST_DROPPED:])
+        self.dropped = with_newest(self.dropped, name, sound, MOST_DROPPED)
 
     def _set(self, sounds: Mapping[str, StoredSound]) -> None:
         self.sounds = sounds
