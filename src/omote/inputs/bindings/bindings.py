@@ -250,8 +250,7 @@ class Bindings:
         elif played.engaged and played.sent is not None:
             played.engaged = abs(current - played.sent) <= fader.near
         if not played.engaged and not played.is_off and current is not None:
-            at = self.bindings[index].position_of(current)
-            played.engaged = abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
+            played.engaged = _reaches(before, position, self.bindings[index].position_of(current))
         if not played.engaged:
             return ()
         counts = self.bindings[index].leave_middle(position) if fader.has_dead_zone else position
@@ -348,6 +347,14 @@ def _comes_back(binding: Binding, before: float | None, position: float, current
         at = binding.position_of(current)
     elif abs(position - at) <= NEAR or abs(position - MIDDLE) < binding.dead_zone:
         return True
+    return _reaches(before, position, at)
+
+
+def _reaches(before: float | None, position: float, at: float) -> bool:
+    """Whether a control goes across a position of its way (at), or stands near it where it was not read before.
+
+    before: where it stood; position: where it is.
+    """
     return abs(position - at) <= NEAR if before is None else (before - at) * (position - at) <= 0.0
 
 
