@@ -24,10 +24,12 @@ def _value(annotation: object) -> object:
     if origin in (typing.Union, types.UnionType):
         return _value(next(each for each in arguments if each is not type(None)))
     if origin is tuple:
-        return () if Ellipsis in arguments else tuple(map(_value, arguments))
+        return tuple(_value(argument) for argument in arguments if argument is not Ellipsis)
     if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
         return sample_of(annotation)
     if annotation is MacroMapping:
         return MacroMapping("m", (MacroTarget("channel/jawOpen"),))
-    plain: dict[object, object] = {str: "x", float: 0.5, int: 1, bool: False, bytes: b"", list: [], dict: {}}
+    if origin is dict:
+        return {_value(arguments[0]): _value(arguments[1])}
+    plain: dict[object, object] = {str: "x", float: 0.5, int: 1, bool: True, bytes: b"\xb0\x07\x40", list: []}
     return plain[origin or annotation]
