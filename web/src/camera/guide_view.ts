@@ -2,63 +2,25 @@
 
 import { css, html, nothing, svg } from "lit";
 import { customElement } from "lit/decorators.js";
-import { base, flow, palette } from "../ui/theme";
+import { base, palette } from "../ui/theme";
 import { CameraElement } from "./camera_element";
 import { mainButton } from "./camera_page_style";
+import { guideStyle } from "./guide_style";
 import { drawStep } from "./step_picture";
 
 const style = css`
-  section {
-    display: grid;
-    grid-template-columns: auto minmax(0, 1fr) auto;
-    gap: 4px 14px;
-    align-items: center;
-    padding: 10px 14px;
-    background: var(--panel);
-    border: 1px solid var(--line);
-    border-top: 2px solid var(--coming);
-    border-radius: 6px;
-  }
   .offer {
     grid-template-columns: minmax(0, 1fr);
     border-top-color: var(--attention);
   }
-  .ready {
-    border-top-color: var(--attention);
-  }
   svg {
     height: clamp(84px, 17vh, 128px);
-    color: var(--hand);
-  }
-  p {
-    font-size: clamp(16px, 2.2vw, 22px);
-    line-height: 1.2;
-  }
-  small {
-    color: var(--dim);
-    font-size: 13px;
-  }
-  progress {
-    width: 100%;
-    height: 8px;
-    accent-color: var(--coming);
-  }
-  .count {
-    min-width: 2ch;
-    font-size: clamp(28px, 5vw, 46px);
-    font-weight: 700;
-    text-align: right;
-  }
-  .buttons {
-    grid-column: 1 / -1;
-    ${flow}
-    gap: 6px;
   }
 `;
 
 @customElement("omote-guide")
 export class GuideView extends CameraElement {
-  static override styles = [palette, base, mainButton, style];
+  static override styles = [palette, base, mainButton, guideStyle, style];
 
   override render() {
     const guide = this.session.status?.guide ?? null;
