@@ -26,6 +26,8 @@ FIRST = {
     "springs": {"head": True, "gaze": True},
     "view": "palettes",
     "mixer": "strips",
+    "pads": ["mouth", "moods"],
+    "solo": {"looks": True, "lines": True, "head": True},
 }
 
 

@@ -76,6 +76,9 @@ const style = css`
     label {
       flex-wrap: nowrap;
     }
+    button {
+      flex: none;
+    }
   }
 `;
 
