@@ -107,6 +107,7 @@ def warm(documents: CastDocuments) -> None:
     scene = Scene.begun(cast)
     for pad in [*scene.pads][:1]:
         scene.move_pad(FIRST_CHARACTER, pad, None)
+    scene[FIRST_CHARACTER].set_motion(0.5)
     scene.advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
