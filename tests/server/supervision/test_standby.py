@@ -206,6 +206,7 @@ def test_a_standby_says_when_it_is_ready_and_has_one_thread(tmp_path: Path) -> N
 
 WARMED = """
 import gc
+import omote
 from numba.core.dispatcher import Dispatcher
 from omote.perform.scene.scene import Scene
 from omote.server.http.cast_documents import built_in_documents
@@ -226,6 +227,8 @@ for face in documents.cast.faces.values():
 scene = Scene.begun(documents.cast)
 scene.move_pad("one", "mouth", 0.5)
 scene["one"].drive({"jawOpen": 0.5})
+scene["one"].set_mapping(omote.MacroMapping("mouth", [omote.MacroTarget("channel/jawOpen")]))
+scene["one"].move_macro("mouth", 0.5)
 scene.advance(1 / 60)
 print(*sorted(compiled() - before), sep="\\n", end="")
 """

@@ -34,8 +34,8 @@ def follow_all(
 ) -> None:
     """Writes what both filters of each follower give `dt` seconds later into later_first and later_second (n,).
 
-    first, second, goal, rate, haste (n,): as of `follower.follow`; jump: what slows the haste at a distance; near: what is
-    nearer to its goal is there.
+    first, second, goal, rate, haste (n,): as of `follower.follow`; jump: what slows the haste at a distance; near:
+    what is nearer to its goal is there.
     """
     for i in range(goal.size):
         ahead = first[i] - goal[i]

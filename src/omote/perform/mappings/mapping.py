@@ -37,7 +37,7 @@ WIDEST = max(CHANNEL_HIGHEST, *HEAD_LIMITS.values(), *GAZE_LIMITS.values())
 """What any target takes: weights, radians."""
 IN_ADDRESSES = "/*?[]{}# ,"
 """What no name of a macro has: its address of OSC is made of it."""
-_ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
+ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
 """Radians either way."""
 
 
@@ -334,17 +334,6 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
-    def reached(self) -> tuple[str, ...]:
-        """What it plays, in the order of its targets."""
-        return tuple(target.to for target in self.targets)
-
-    @cached_property
-    def halves(self) -> tuple[tuple[Half, ...], tuple[Half, ...]]:
-        """The halves of its targets from the middle up, and those below."""
-        above, below = zip(*(target.halves for target in self.targets), strict=True)
-        return above, below
-
-    @cached_property
     def plays_pads(self) -> bool:
         """Whether it moves the point of a pad."""
         return any(target.place[0] == PAD for target in self.targets)
@@ -387,7 +376,7 @@ def range_of(to: object) -> tuple[float, float]:
         return CHANNEL_LOWEST, CHANNEL_HIGHEST
     if kind == PAD and axis_of_pad(name)[1] in AXES:
         return PLACE_RANGE
-    limit = _ANGLES.get(kind, {}).get(name)
+    limit = ANGLES.get(kind, {}).get(name)
     if limit is None:
         raise ValueError(
             f"a macro cannot play {to!r:.80}; give channel/NAME, {HEAD}/{'|'.join(HEAD_LIMITS)}, "
