@@ -359,5 +359,5 @@ def with_fields(frozen: Frozen, **changes: Any) -> Frozen:
     changes: the new values, by field.
     """
     changed: Frozen = object.__new__(type(frozen))
-    changed.__dict__.update(frozen.__dict__, **changes)
+    object.__setattr__(changed, "__dict__", frozen.__dict__ | changes)
     return changed
