@@ -38,6 +38,8 @@ def test_layers_are_mixed_one_over_the_other(seed: int, does: list[int]) -> None
 def test_the_strongest_columns_come_first_and_of_equals_the_first(seed: int, most: int, more: int) -> None:
     streams = np.random.default_rng(seed).integers(-3, 4, (4, most + more + 2)) / 2.0  # many are equal
     found = np.empty((4, most), np.int64)
-    find_strongest(streams, most + more, found)
+    values = np.empty((4, most))
+    find_strongest(streams, most + more, found, values)
     order = np.argsort(-np.abs(streams[:, : most + more]), axis=1, kind="stable")
     assert found.tolist() == order[:, :most].tolist()
+    assert values.tolist() == np.take_along_axis(streams, found, axis=1).tolist()

@@ -5,7 +5,7 @@ on any machine."""
 from __future__ import annotations
 
 import numpy as np
-from numba import float64, int64, njit, types, void
+from numba import boolean, float64, int64, njit, types, void
 from numpy.typing import NDArray
 
 from omote.arrays import Values
@@ -13,6 +13,7 @@ from omote.arrays import Values
 _READ = types.Array(float64, 1, "C", readonly=True)
 _READ_ROWS = types.Array(float64, 2, "C", readonly=True)
 _WRITE = types.Array(float64, 1, "C")
+_WRITE_ROWS = types.Array(float64, 2, "C")
 _PLACES = types.Array(int64, 1, "C", readonly=True)
 _WRITE_PLACES = types.Array(int64, 2, "C")
 SKIPS, OFFSETS, REPLACES, FILLS = range(4)
@@ -89,11 +90,12 @@ def mix_streams(
         mixed[c] = max(min(value, highest[c]), lowest[c])
 
 
-@njit(void(_READ_ROWS, int64, _WRITE_PLACES), cache=True, error_model="numpy")
-def find_strongest(streams: Values, count: int, places: NDArray[np.int64]) -> None:
-    """Writes the columns of the largest values of each row into places (n, k), the largest first; of equals the first.
+@njit(void(_READ_ROWS, int64, _WRITE_PLACES, _WRITE_ROWS), cache=True, error_model="numpy")
+def find_strongest(streams: Values, count: int, places: NDArray[np.int64], values: Values) -> None:
+    """Writes the columns of the largest values of each row into places (n, k), the largest first, of equals the first;
+    and what they are into values (n, k).
 
-    streams (n, width): the values; count: how many columns of each row to look at, k or more.
+    streams (n, width): all values; count: how many columns of each row to look at, k or more.
     """
     for i in range(places.shape[0]):
         found = 0
@@ -108,3 +110,35 @@ def find_strongest(streams: Values, count: int, places: NDArray[np.int64]) -> No
             for later in range(found - 1, at, -1):
                 places[i, later] = places[i, later - 1]
             places[i, at] = c
+        for at in range(found):
+            values[i, at] = streams[i, places[i, at]]
+
+
+@njit(
+    void(_WRITE, types.Array(boolean, 1, "C", readonly=True), _PLACES, _READ, _PLACES, _READ),
+    cache=True,
+    error_model="numpy",
+)
+def write_stream(
+    stream: Values,
+    own: NDArray[np.bool_],
+    places: NDArray[np.int64],
+    values: Values,
+    turns: NDArray[np.int64],
+    turned: Values,
+) -> None:
+    """Writes a frame of a source into the columns of a layer (width,) that show it; what it does not send there is at
+    rest.
+
+    own (width,): which columns show the source; places (k,), values (k,): of its channels; turns (t,), turned (t,): of
+    its head and its gaze, after those.
+    """
+    for c in range(stream.size):
+        if own[c]:
+            stream[c] = 0.0
+    for i in range(places.size):
+        if own[places[i]]:
+            stream[places[i]] = values[i]
+    for i in range(turns.size):
+        if own[turns[i]]:
+            stream[turns[i]] = turned[i]

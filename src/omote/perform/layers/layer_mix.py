@@ -42,11 +42,17 @@ _worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = Wea
 
 def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
     """How much of a unit a mix of expressions wears, 0 to 1."""
-    if len(mix) == 1:  # nearly always
-        ((name, weight),) = mix.items()
-        worn = weight * worn_share(unit, expressions[name])
-    else:
-        worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
+    shares = _worn.get(unit)
+    if shares is None:
+        shares = _worn[unit] = WeakKeyDictionary()
+    terms = []
+    for name, weight in mix.items():
+        expression = expressions[name]
+        share = shares.get(expression)
+        if share is None:
+            share = shares[expression] = worn_share(unit, expression)
+        terms.append(weight * share)
+    worn = math.fsum(terms)
     return FULL if worn > FULL else max(worn, 0.0)
 
 
@@ -55,16 +61,6 @@ def worn_share(unit: Expression, expression: Expression) -> float:
 
     Summed exactly (`math.fsum`), so that every machine finds the same.
     """
-    shares = _worn.get(unit)
-    if shares is None:
-        shares = _worn[unit] = WeakKeyDictionary()
-    share = shares.get(expression)
-    if share is None:
-        share = shares[expression] = _share(unit, expression)
-    return share
-
-
-def _share(unit: Expression, expression: Expression) -> float:
     if np.shape(unit.dh) != np.shape(expression.dh):
         return 0.0
     rows = np.flatnonzero((unit.dh != 0.0) | (unit.dtheta != 0.0) | (unit.ratio != 1.0))
@@ -91,7 +87,6 @@ LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
 _DRIVEN_RUNS = [(slice(0, 2), slice(0, 2)), (slice(2, 6), slice(3, 7))]
 """Rows of `DRIVEN` and of `LAYERS` that follow one another in both."""
-_EACH_ROW = np.arange(len(DRIVEN))[:, None]
 _EMOTION = LAYERS.index("emotion")
 _MIXED_ROWS = np.array([LAYERS.index(layer) for layer in (*DRIVEN, "hands")], np.int64)
 """Of the driven layers and of the hands above them, among all."""
@@ -255,11 +250,11 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     names = layers.columns.names
     streams = layers.columns.rows(layers.second, "streams")
     found = np.empty((len(DRIVEN), min(MOST_SHOWN, len(names))), np.int64)
-    _kernels().find_strongest(streams, len(names), found)
-    values = streams[_EACH_ROW, found].tolist()
+    values = np.empty(found.shape)
+    _kernels().find_strongest(streams, len(names), found, values)
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
-        for layer, both in zip(DRIVEN, zip(found.tolist(), values, strict=True), strict=True)
+        for layer, both in zip(DRIVEN, zip(found.tolist(), values.tolist(), strict=True), strict=True)
         if layer in layers.drivers
     }
 
