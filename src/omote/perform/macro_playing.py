@@ -355,7 +355,7 @@ class MacroPlaying(SpeechPlaying):
             return held
         table = macros.table
         count = len(table.channels)
-        own = [now.channels.get(name, 0.0) for name in table.channels]
+        own = [now.channels.get(name, 0.0) for name in table.channels] if now.channels else [0.0] * count
         turns = {HEAD: dict(vars(now.head)), GAZE: dict(vars(now.gaze)), PAD: {}}
         own += [turns[kind].get(name, 0.0) for kind, name in table.targets[count:]]
         sums = sum_by_target(table, values, own)

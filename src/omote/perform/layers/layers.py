@@ -287,9 +287,10 @@ def _stepped(layers: Layers, dt: float) -> Layers:
     goal = layers.goal
     columns = layers.columns
     wanted = trust_goal(layers)
-    if list(map(tuple, columns.rows(goal, "trust").tolist())) != wanted:
+    trust = columns.sections["trust"]
+    if goal[trust].tobytes() != wanted:
         goal = goal.copy()
-        columns.rows(goal, "trust")[:] = wanted
+        goal[trust] = np.frombuffer(wanted)
     comes_to_rest = not any(
         driver.is_trusted for layer_drivers in drivers.values() for driver in layer_drivers
     )  # nothing rests while one plays
@@ -407,7 +408,8 @@ def write_frame(
         weights = gaze_channels(cast.expressions, gaze, frame.vergence)
         turned += [gaze.yaw, gaze.pitch, *(weights.get(unit, 0.0) for unit in columns.eyes)]
     turns = columns.places_of_turns(head is not None, gaze is not None)
-    _write_stream()(stream, own, columns.places(frame.names), np.asarray(frame.values), turns, np.array(turned))
+    values = np.ascontiguousarray(frame.values, np.float64)
+    _write_stream()(stream, own, columns.places(frame.names), values, turns, np.array(turned))
 
 
 @cache

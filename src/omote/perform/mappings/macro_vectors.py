@@ -6,9 +6,10 @@ smoothing of a steep piece over the flat ones, and one value cannot rise and fal
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from types import ModuleType
 
 import numpy as np
@@ -20,7 +21,7 @@ from omote.perform.layers.follower import LONGEST_STEP, rate_of, steps_of
 from omote.perform.limits import CHANNEL_LOWEST, check_within
 from omote.perform.mappings.kept_mappings import ByName
 from omote.perform.mappings.macros import NO_MACROS, Macros, MacroState, Pair
-from omote.perform.mappings.mapping import ANGLES, CHANNEL, MACRO_LIMITS, PAD, MacroCondition, TargetKind
+from omote.perform.mappings.mapping import ANGLES, CHANNEL, MACRO_LIMITS, PAD, MacroCondition, TargetKind, TargetRows
 from omote.perform.pads.blend_space import PLACE_RANGE
 
 GATE_SECONDS = 0.2
@@ -88,6 +89,7 @@ class MacroVectors:
 
 
 NOTHING_FADES: Values = np.empty((0, 2))
+NO_ROWS = TargetRows(np.empty(0), np.empty((0, 2)), np.empty((0, 4), np.int64), np.empty((0, 9)), np.empty((0, 2)))
 
 
 def vectors_of(macros: Macros, mappings: ByName) -> MacroVectors | None:
@@ -117,16 +119,13 @@ def states_of(vectors: MacroVectors | None) -> Macros:
         return NO_MACROS
     table = vectors.table
     pairs = _pairs(vectors.given)
-    gates = _pairs(vectors.gates)
+    numbers = zip(vectors.moved.tolist(), vectors.values.tolist(), vectors.opens.tolist(), strict=True)
     moved = {
-        name: MacroState(
-            float(vectors.values[place]),
-            bool(vectors.opens[place]),
-            gates[place],
-            tuple(pairs[table.begins[place] : table.begins[place + 1]]),
+        name: MacroState(value, opens > 0.0, gate, tuple(pairs[begin:end]))
+        for name, (is_moved, value, opens), gate, (begin, end) in zip(
+            table.names, numbers, _pairs(vectors.gates), pairwise(table.begins), strict=True
         )
-        for name, place in table.names.items()
-        if vectors.moved[place]
+        if is_moved
     }
     fading = dict[str, dict[str, Pair]]()
     for (name, to), pair in zip(table.sources, _pairs(vectors.fading), strict=False):
@@ -206,10 +205,10 @@ def given_by(vectors: MacroVectors) -> Values:
     return values
 
 
-def sum_by_target(table: MacroTable, values: Values, own: Iterable[float]) -> list[float]:
+def sum_by_target(table: MacroTable, values: Values, own: Sequence[float]) -> list[float]:
     """What each target has of all its sources, softly limited. values: of `given_by`; own: what faders hold of each
     target."""
-    held = np.array(list(own))
+    held = np.array(own)
     sums = np.empty(len(table.targets))
     _kernels().sum_sources(values, held, table.order, table.target_begins, table.limits, sums)
     numbers: list[float] = sums.tolist()
@@ -246,19 +245,13 @@ def _unmoved(mappings: ByName, fading: Iterable[tuple[str, str]]) -> MacroVector
 
 def make_table(mappings: ByName, fading: Iterable[tuple[str, str]]) -> MacroTable:
     """What follows from the mappings of a character. fading: macros and targets of what fades, also of others."""
-    played = [(name, target) for name, mapping in mappings.items() for target in mapping.targets]
-    sources = dict.fromkeys([*((name, target.to) for name, target in played), *fading])
+    sources = dict.fromkeys([*((name, each.to) for name, own in mappings.items() for each in own.targets), *fading])
     places = {name: place for place, name in enumerate(mappings)}
-    pieces = list[tuple[float, ...]]()
-    runs = []
-    spans = []
-    for _, target in played:
-        run = []
-        for _, _, half, _, _ in target.halves:
-            run += [len(pieces), len(pieces) + len(half)]
-            pieces += half
-        runs.append(run)
-        spans.append([np.nan if span is None else span for _, span, _, _, _ in target.halves])
+    counts = [len(mapping.targets) for mapping in mappings.values()]
+    lows, spans, runs, pieces, rates = (
+        np.concatenate(rows) for rows in zip(NO_ROWS, *(mapping.rows for mapping in mappings.values()), strict=True)
+    )
+    before = np.cumsum([0, *(len(mapping.rows.pieces) for mapping in mappings.values())])[:-1]
     kinds = [_target_of(to) for _, to in sources]
     targets = tuple(sorted(dict.fromkeys(kinds), key=lambda target: (target[0] != CHANNEL, target)))
     slot_of = {target: slot for slot, target in enumerate(targets)}
@@ -266,19 +259,19 @@ def make_table(mappings: ByName, fading: Iterable[tuple[str, str]]) -> MacroTabl
     return MacroTable(
         mappings,
         places,
-        np.cumsum([0, *(len(mapping.targets) for mapping in mappings.values())]).tolist(),
+        np.cumsum([0, *counts]).tolist(),
         tuple(sources),
         targets,
         tuple(name for kind, name in targets if kind == CHANNEL),
-        np.array([places[name] for name, _ in played], np.int64),
-        np.array([target.low for _, target in played]),
-        np.array(spans, np.float64).reshape(-1, 2),
-        np.array(runs, np.int64).reshape(-1, 4),
-        np.array(pieces, np.float64).reshape(-1, 9),
-        np.array([target.halves[0][3:] for _, target in played], np.float64).reshape(-1, 2),
+        np.repeat(np.arange(len(counts)), counts),
+        lows,
+        spans,
+        runs + np.repeat(before, counts)[:, None],
+        pieces,
+        rates,
         np.argsort(slots, kind="stable"),
         np.searchsorted(np.sort(slots), np.arange(len(targets) + 1)),
-        np.array([_limits(*target) for target in targets]),
+        np.array([_limits(*target) for target in targets], np.float64).reshape(-1, 2),
         np.array([kind != PAD for kind, _ in kinds], bool),
         tuple((places[name], mapping.when) for name, mapping in mappings.items() if mapping.when is not None),
         any(mapping.plays_pads for mapping in mappings.values()),
@@ -301,7 +294,7 @@ def _limits(kind: TargetKind, name: str) -> tuple[float, float]:
 
 
 def _pairs(rows: Values) -> list[Pair]:
-    return [(first, second) for first, second in rows.tolist()]
+    return [*zip(rows[:, 0].tolist(), rows[:, 1].tolist(), strict=True)]
 
 
 def _steps(dt: float) -> tuple[float, int]:
