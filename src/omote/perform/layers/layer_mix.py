@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
+from types import ModuleType
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -41,11 +42,17 @@ _worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = Wea
 
 def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
     """How much of a unit a mix of expressions wears, 0 to 1."""
-    if len(mix) == 1:  # nearly always
-        ((name, weight),) = mix.items()
-        worn = weight * worn_share(unit, expressions[name])
-    else:
-        worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
+    shares = _worn.get(unit)
+    if shares is None:
+        shares = _worn[unit] = WeakKeyDictionary()
+    terms = []
+    for name, weight in mix.items():
+        expression = expressions[name]
+        share = shares.get(expression)
+        if share is None:
+            share = shares[expression] = worn_share(unit, expression)
+        terms.append(weight * share)
+    worn = math.fsum(terms)
     return FULL if worn > FULL else max(worn, 0.0)
 
 
@@ -54,16 +61,6 @@ def worn_share(unit: Expression, expression: Expression) -> float:
 
     Summed exactly (`math.fsum`), so that every machine finds the same.
     """
-    shares = _worn.get(unit)
-    if shares is None:
-        shares = _worn[unit] = WeakKeyDictionary()
-    share = shares.get(expression)
-    if share is None:
-        share = shares[expression] = _share(unit, expression)
-    return share
-
-
-def _share(unit: Expression, expression: Expression) -> float:
     if np.shape(unit.dh) != np.shape(expression.dh):
         return 0.0
     rows = np.flatnonzero((unit.dh != 0.0) | (unit.dtheta != 0.0) | (unit.ratio != 1.0))
@@ -88,12 +85,11 @@ NO_MIXES: Mixes = {}
 MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
-_DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
 _DRIVEN_RUNS = [(slice(0, 2), slice(0, 2)), (slice(2, 6), slice(3, 7))]
 """Rows of `DRIVEN` and of `LAYERS` that follow one another in both."""
-_EACH_ROW = np.arange(len(DRIVEN))[:, None]
 _EMOTION = LAYERS.index("emotion")
-_HANDS = LAYERS.index("hands")
+_MIXED_ROWS = np.array([LAYERS.index(layer) for layer in (*DRIVEN, "hands")], np.int64)
+"""Of the driven layers and of the hands above them, among all."""
 CLIP_LAYER: LayerName = "playback"
 """The layer that clips play."""
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
@@ -252,51 +248,51 @@ def _parts(owners: Owners, source: str) -> tuple[LayerPart, ...]:
 def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     """The few channels that each driven layer moves most, of all layers at once."""
     names = layers.columns.names
-    streams = layers.columns.rows(layers.second, "streams")[:, : len(names)]
-    order = np.argsort(-np.abs(streams), axis=1, kind="stable")[:, :MOST_SHOWN]
-    values = streams[_EACH_ROW, order].tolist()
-    places = order.tolist()
+    streams = layers.columns.rows(layers.second, "streams")
+    found = np.empty((len(DRIVEN), min(MOST_SHOWN, len(names))), np.int64)
+    values = np.empty(found.shape)
+    _kernels().find_strongest(streams, len(names), found, values)
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
-        for layer, both in zip(DRIVEN, zip(places, values, strict=True), strict=True)
+        for layer, both in zip(DRIVEN, zip(found.tolist(), values.tolist(), strict=True), strict=True)
         if layer in layers.drivers
     }
 
 
-def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:
+def _mixed_values(layers: Layers, shares: Values, closed: Values) -> Values:
     """The channels and angles of all layers; closed: how much of each the mix wears already."""
     columns = layers.columns
-    streams = columns.rows(layers.second, "streams")
-    mixed = np.zeros(columns.width)
-    by_column = shares[:, columns.parts]
-    for row, layer in enumerate(DRIVEN):
-        if layer not in layers.drivers:
-            continue
-        part = by_column[_DRIVEN_ROWS[row]]
-        value = streams[row]
-        if RULES[layer] == "replace":
-            mixed = (1.0 - part) * mixed + part * value
-        elif RULES[layer] == "offset":
-            mixed = mixed + part * value
-        else:
-            open_yet = 1.0 - mixed if closed is None else (1.0 - mixed) * (1.0 - closed)
-            mixed = mixed + part * value * open_yet
-    part = by_column[_HANDS] * columns.rows(layers.second, "hold")
-    return _in_range(layers, (1.0 - part) * mixed + part * columns.rows(layers.second, "hands"))
+    streams, hold, hands = (columns.rows(layers.second, section) for section in ("streams", "hold", "hands"))
+    mixed = np.empty(columns.width)
+    rules = _rules(tuple(layers.drivers))
+    _kernels().mix_streams(
+        streams, shares, columns.parts, rules, _MIXED_ROWS, closed, hold, hands, columns.lowest, columns.highest, mixed
+    )
+    return mixed
 
 
-def _in_range(layers: Layers, values: Values) -> Values:
-    """The same without what rounding has added beyond the ends of the ranges: means lie within."""
-    return np.maximum(np.minimum(values, layers.columns.highest), layers.columns.lowest)
+@lru_cache(maxsize=256)
+def _rules(drives: tuple[LayerName, ...]) -> NDArray[np.int64]:
+    """What each layer that may be driven does, by its number in the kernel, where some are."""
+    kernels = _kernels()
+    does = {"offset": kernels.OFFSETS, "replace": kernels.REPLACES, "fill": kernels.FILLS}
+    return np.array([does[RULES[layer]] if layer in drives else kernels.SKIPS for layer in DRIVEN], np.int64)
 
 
-def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values | None:
-    """How much of each channel of the fills the mix wears already; None where nothing fills."""
-    closed: Values | None = None
+@cache
+def _kernels() -> ModuleType:
+    """The kernels, loaded when the first layer shows: no command line needs Numba."""
+    from omote.perform.layers import layer_kernels
+
+    return layer_kernels
+
+
+def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values:
+    """How much of each channel of the fills the mix wears already; 0 of all others."""
+    closed = np.zeros(layers.columns.width)
     for layer, drivers in layers.drivers.items():
         if RULES[layer] != "fill":
             continue
-        closed = np.zeros(layers.columns.width) if closed is None else closed
         for name in {name for driver in drivers for name in driver.names}:
             closed[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
     return closed
