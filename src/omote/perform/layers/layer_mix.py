@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
-from omote.model.space.expression import Expression
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD
 from omote.perform.layers.drivers import NOBODY, Owners
@@ -30,56 +26,6 @@ from omote.perform.layers.layer_names import (
 from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
 from omote.perform.layers.source_frame import CLIP
 from omote.perform.panic import EasingToRest, eased
-
-HEAD_RADIUS = 0.09
-"""Metres from the axis to the skin: what an angle and a ratio of radii are worth beside a height."""
-FULL = 1.0
-"""The share of a unit that is worn altogether."""
-
-_worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = WeakKeyDictionary()
-
-
-def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
-    """How much of a unit a mix of expressions wears, 0 to 1."""
-    if len(mix) == 1:  # nearly always
-        ((name, weight),) = mix.items()
-        worn = weight * worn_share(unit, expressions[name])
-    else:
-        worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
-    return FULL if worn > FULL else max(worn, 0.0)
-
-
-def worn_share(unit: Expression, expression: Expression) -> float:
-    """How much of a unit an expression wears, 0 to 1: its field's share along the unit's, where the unit moves skin.
-
-    Summed exactly (`math.fsum`), so that every machine finds the same.
-    """
-    shares = _worn.get(unit)
-    if shares is None:
-        shares = _worn[unit] = WeakKeyDictionary()
-    share = shares.get(expression)
-    if share is None:
-        share = shares[expression] = _share(unit, expression)
-    return share
-
-
-def _share(unit: Expression, expression: Expression) -> float:
-    if np.shape(unit.dh) != np.shape(expression.dh):
-        return 0.0
-    rows = np.flatnonzero((unit.dh != 0.0) | (unit.dtheta != 0.0) | (unit.ratio != 1.0))
-    own = _moves(unit, rows)
-    other = _moves(expression, rows)
-    square = math.fsum((own * own).tolist())
-    share = math.fsum((own * other).tolist()) / square if square else 0.0
-    return FULL if share > FULL else max(share, 0.0)
-
-
-def _moves(expression: Expression, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-    """About how far it moves these rows of the sheet, metres: around, up and out."""
-    turned = expression.dtheta[rows] * HEAD_RADIUS
-    out = (expression.ratio[rows] - 1.0) * HEAD_RADIUS
-    return np.concatenate([turned, expression.dh[rows], out])
-
 
 Mix = Mapping[str, float]
 Mixes = Mapping[PlayRegion, Mix]
@@ -116,7 +62,6 @@ class Mixed:
 def mix_layers(
     layers: Layers,
     shares: Values,
-    expressions: Mapping[str, Expression],
     mix: Mix,
     regions: Mixes,
     played: Mixes = NO_MIXES,
@@ -127,7 +72,7 @@ def mix_layers(
     face, own = _with_neutral(mix, regions, kept)
     if played:
         face, own = _with_played(face, own, played, _shares_of_clip(layers, shares))
-    values = _mixed_values(layers, shares, _closed(layers, expressions, own.get("eyes", face)))
+    values = _mixed_values(layers, shares)
     numbers = values.tolist()  # all in range
     channels = {name: value for name, value in zip(layers.columns.names, numbers, strict=False) if value}
     (yaw, pitch, roll) = numbers[HEAD]
@@ -141,17 +86,16 @@ def mix_layers(
 def with_layers(
     frame: Frame,
     layers: Layers,
-    expressions: Mapping[str, Expression],
     held: Held,
     easing_to_rest: EasingToRest | None,
     played: Mixes = NO_MIXES,
 ) -> Frame:
     """A frame of calls and hands with all layers in; easing_to_rest: what a panic has left on its way to rest.
 
-    expressions: those of the cast, by name; held: what hands hold; played: the mixes of clips, by region.
+    held: what hands hold; played: the mixes of clips, by region.
     """
     shares = influences(layers)
-    mixed = mix_layers(layers, shares, expressions, frame.expressions, frame.regions, played)
+    mixed = mix_layers(layers, shares, frame.expressions, frame.regions, played)
     return with_fields(
         frame,
         expressions=mixed.expressions,
@@ -263,8 +207,8 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     }
 
 
-def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:
-    """The channels and angles of all layers; closed: how much of each the mix wears already."""
+def _mixed_values(layers: Layers, shares: Values) -> Values:
+    """The channels and angles of all layers."""
     columns = layers.columns
     streams = columns.rows(layers.second, "streams")
     mixed = np.zeros(columns.width)
@@ -279,8 +223,7 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
         elif RULES[layer] == "offset":
             mixed = mixed + part * value
         else:
-            open_yet = 1.0 - mixed if closed is None else (1.0 - mixed) * (1.0 - closed)
-            mixed = mixed + part * value * open_yet
+            mixed = mixed + part * value * (1.0 - mixed)
     part = by_column[_HANDS] * columns.rows(layers.second, "hold")
     return _in_range(layers, (1.0 - part) * mixed + part * columns.rows(layers.second, "hands"))
 
@@ -288,18 +231,6 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
 def _in_range(layers: Layers, values: Values) -> Values:
     """The same without what rounding has added beyond the ends of the ranges: means lie within."""
     return np.maximum(np.minimum(values, layers.columns.highest), layers.columns.lowest)
-
-
-def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values | None:
-    """How much of each channel of the fills the mix wears already; None where nothing fills."""
-    closed: Values | None = None
-    for layer, drivers in layers.drivers.items():
-        if RULES[layer] != "fill":
-            continue
-        closed = np.zeros(layers.columns.width) if closed is None else closed
-        for name in {name for driver in drivers for name in driver.names}:
-            closed[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
-    return closed
 
 
 def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:
