@@ -134,7 +134,7 @@ def kinks() -> tuple[float, float]:
     """The largest change of slope where a second source meets the limit, softly limited and clipped."""
     others = np.linspace(0.0, 0.95, 20)
     ways = np.arange(0.0, 0.999, STEP)
-    soft = [[soft_sum((float(way), float(other)), -0.5, 1.0) for way in ways] for other in others]
+    soft = [[soft_sum(np.array([way, other]), -0.5, 1.0) for way in ways] for other in others]
     clipped = np.minimum(ways + others[:, None], 1.0)
     soft_kink, clip_kink = (
         float(np.abs(np.diff(values, 2)).max() / STEP) for values in (np.array(soft), np.asarray(clipped))

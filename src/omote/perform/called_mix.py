@@ -358,7 +358,8 @@ class CalledMix:
 
     def _play(self, **changes: object) -> None:
         """What an operator does: the next panic is a first one again."""
-        self._now = with_fields(self._now, panicked=None, **changes)
+        if changes or self._now.panicked is not None:
+            self._now = with_fields(self._now, panicked=None, **changes)
 
 
 def _part_of(expression: str, strength: float) -> dict[str, float] | None:

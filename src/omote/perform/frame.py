@@ -248,8 +248,7 @@ class Held:
     gaze: Gaze = field(default_factory=Gaze)
 
 
-@dataclass(frozen=True)
-class SourceStatus:
+class SourceStatus(NamedTuple):
     """One of the sources of a layer: how far it is trusted where it shows, 0 to 1, and the parts that it has."""
 
     source: str
@@ -257,8 +256,7 @@ class SourceStatus:
     parts: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class LayerStatus:
+class LayerStatus(NamedTuple):
     """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source, of several the one with the
     most parts, and how far that is trusted; share: how much of it is on air where it plays most, 0 to 1; strongest:
     what it does now, by channel; sources: all of them where there are several, the newest first."""
@@ -359,5 +357,5 @@ def with_fields(frozen: Frozen, **changes: Any) -> Frozen:
     changes: the new values, by field.
     """
     changed: Frozen = object.__new__(type(frozen))
-    changed.__dict__.update(frozen.__dict__, **changes)
+    object.__setattr__(changed, "__dict__", frozen.__dict__ | changes)
     return changed

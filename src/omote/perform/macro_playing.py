@@ -9,7 +9,7 @@ from omote.model.known_names import NEUTRAL
 from omote.perform.axis import weights
 from omote.perform.channels import effective_channels
 from omote.perform.frame import Frame, Gaze, Head, Held, with_fields
-from omote.perform.limits import CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known
+from omote.perform.limits import check_known
 from omote.perform.mappings.kept_mappings import (
     Mappings,
     with_all,
@@ -18,16 +18,21 @@ from omote.perform.mappings.kept_mappings import (
     with_restored,
     without_mapping,
 )
-from omote.perform.mappings.macros import (
-    Macros,
+from omote.perform.mappings.macro_vectors import (
+    MacroVectors,
     advance_macros,
-    follow_change,
     given_by,
     is_a_condition_new,
     move_macro,
+    states_of,
+    sum_by_target,
+    vectors_of,
 )
+from omote.perform.mappings.macros import follow_change
 from omote.perform.mappings.mapping import (
+    ANGLES,
     CHANNEL,
+    GAZE,
     HEAD,
     PAD,
     MacroCondition,
@@ -35,27 +40,21 @@ from omote.perform.mappings.mapping import (
     axis_of_pad,
     places_in,
 )
-from omote.perform.mappings.soft_limit import soft_sum
 from omote.perform.mix import Weights
-from omote.perform.pads.blend_space import AXES, PLACE_RANGE
+from omote.perform.pads.blend_space import AXES
 from omote.perform.pads.pad_point import TAKE_UP_SECONDS
 from omote.perform.speech_playing import SpeechPlaying
 
-FULL_CHANNEL = (CHANNEL_LOWEST, 1.0)
-"""Where the sum of sources of a channel ends; one alone may go beyond, as a fader does."""
-OF_PAD = f"{PAD}/"
-NOTHING_GIVEN: Mapping[str, list[float]] = {}
 NO_PLACES: Mapping[str, float] = {}
 
 
 class MacroPlaying(SpeechPlaying):
     """Keeps mappings and plays their macros: what they give is of hands, beside what faders hold."""
 
-    _given: Mapping[str, list[float]] = NOTHING_GIVEN
-    _places: Mapping[str, float] = NO_PLACES
-    _given_of: Macros | None = None
+    _macros: MacroVectors | None = None
+    _gives = False
     _last_held: Held
-    _resting: Macros | None = None
+    _resting: MacroVectors | None = None
     _last_sources: tuple[object, ...] = ()
 
     @property
@@ -245,13 +244,15 @@ class MacroPlaying(SpeechPlaying):
         kept = self._now.mappings.kept
         if not (isinstance(name, str) and name in kept):
             check_known(name, kept, "macro")
-        self._play(macros=move_macro(self._now.macros, kept[name], value, self._reading))
+        self._macros = move_macro(self._macros, kept, name, value, self._reading)
+        self._play()
 
     def _change_mappings(self, later: Mappings) -> None:
         """Plays other mappings; what shows goes on."""
         now = self._now
-        macros = follow_change(now.macros, now.mappings.kept, later.kept)
-        self._now = with_fields(now, mappings=later, macros=macros)
+        macros = follow_change(states_of(self._macros), now.mappings.kept, later.kept)
+        self._now = with_fields(now, mappings=later)
+        self._macros = vectors_of(macros, later.kept)
 
     def _check_channels(self, mapping: MacroMapping) -> None:
         units = [name for name in self._cast.expressions if name != NEUTRAL]
@@ -264,8 +265,8 @@ class MacroPlaying(SpeechPlaying):
         kind, name = condition.place
         now = self._now
         if kind == "macro":
-            state = now.macros.moved.get(name)
-            return 0.0 if state is None else state.value
+            macros = self._macros
+            return 0.0 if macros is None else macros.value_of(name)
         if kind == CHANNEL:
             return now.channels.get(name, 0.0)
         mix: Weights = weights(now.expression)
@@ -273,26 +274,31 @@ class MacroPlaying(SpeechPlaying):
 
     def _advance_macros(self, dt: float) -> None:
         """Macros go on. dt: seconds."""
-        now = self._now
-        macros = now.macros
-        if not macros.moved and not macros.fading:
+        macros = self._macros
+        if macros is None or (macros is self._resting and not is_a_condition_new(macros, self._reading)):
             return
-        if macros is self._resting and not is_a_condition_new(macros, now.mappings.kept, self._reading):
-            return
-        later = advance_macros(macros, now.mappings.kept, self._reading, dt)
+        later = advance_macros(macros, self._reading, dt)
         self._resting = later if later is macros else None
         if later is macros:
             return
-        plays_pads = any(now.mappings.kept[name].plays_pads for name in later.moved)
-        before = self._points() if plays_pads else NO_PLACES
-        self._now = with_fields(now, macros=later)
-        if plays_pads:
-            self._move_points(before, self._points())
+        before = self._points()
+        self._macros = later
+        self._move_points(before, self._points())
 
     def _points(self) -> Mapping[str, float]:
         """Where macros have points of pads, by pad and axis."""
-        self._sources()
-        return self._places
+        macros = self._macros
+        if macros is None or not macros.table.plays_pads:
+            return NO_PLACES
+        values = given_by(macros)
+        table = macros.table
+        sums = sum_by_target(table, values, [0.0] * len(table.targets))
+        given = {to for (_, to), value in zip(table.sources, values.tolist(), strict=True) if value}
+        return {
+            name: number
+            for (kind, name), number in zip(table.targets, sums, strict=True)
+            if kind == PAD and f"{PAD}/{name}" in given
+        }
 
     def _move_points(self, before: Mapping[str, float], places: Mapping[str, float]) -> None:
         """Moves the points of pads where macros have moved one; who moves a pad last has it. before, places: by pad and
@@ -309,17 +315,6 @@ class MacroPlaying(SpeechPlaying):
             x, y, z = (numbers.get(axis) if place < worn.dimensions else None for place, axis in enumerate(AXES))
             place = worn.moved(self._now.pads.get(name, ()), x, y, z)
             self._now = with_fields(self._now, **self._moved(worn, place, TAKE_UP_SECONDS))
-
-    def _sources(self) -> Mapping[str, list[float]]:
-        """What macros give channels, head and gaze now, by target; the same object until one moves."""
-        now = self._now
-        if now.macros is not self._given_of:
-            self._given_of = now.macros
-            given = given_by(now.macros, now.mappings.kept)
-            points = [to for to in given if to.startswith(OF_PAD)]
-            self._places = {to.partition("/")[2]: soft_sum(given.pop(to), *PLACE_RANGE) for to in points}
-            self._given = given
-        return self._given
 
     @property
     def held_by_faders(self) -> Held:
@@ -342,36 +337,39 @@ class MacroPlaying(SpeechPlaying):
     def _held(self) -> Held:
         """What hands hold, by faders and by macros; the same object until one moves."""
         now = self._now
-        sources = (now.channels, now.head, now.gaze, now.macros, now.mappings)
+        sources = (now.channels, now.head, now.gaze, self._macros)
         before = self._last_sources
         if not before or any(map(is_not, before, sources)):
             self._last_sources = sources
-            given = self._sources()
-            self._last_held = self.held_by_faders if not given else self._with_given(given)
+            self._last_held = self._with_given()
         return self._last_held
 
-    def _with_given(self, given: Mapping[str, list[float]]) -> Held:
+    def _with_given(self) -> Held:
         """What faders hold, with what macros give their targets."""
         now = self._now
-        channels = dict(now.channels)
-        head = {"yaw": now.head.yaw, "pitch": now.head.pitch, "roll": now.head.roll}
-        gaze = {"yaw": now.gaze.yaw, "pitch": now.gaze.pitch}
-        expressions = self._cast.expressions
-        for to, values in given.items():
-            kind, _, name = to.partition("/")
-            if kind == CHANNEL:
-                if name in expressions:
-                    own = channels.get(name, 0.0)
-                    alone = len(values) == 1 and not own  # nearly always: the sum is that
-                    channels[name] = values[0] if alone else soft_sum((own, *values), *FULL_CHANNEL)
-            elif kind == HEAD:
-                limit = HEAD_LIMITS[name]
-                head[name] = min(max(soft_sum((head[name], *values), -limit, limit), -limit), limit)
-            else:
-                limit = GAZE_LIMITS[name]
-                gaze[name] = min(max(soft_sum((gaze[name], *values), -limit, limit), -limit), limit)
-        shown = {name: channels[name] for name in sorted(channels) if channels[name]}
-        return Held(shown, Head(**head), Gaze(**gaze))
+        held = self.held_by_faders
+        macros = self._macros
+        values = None if macros is None else given_by(macros)
+        self._gives = macros is not None and values is not None and bool(values[macros.table.beside_pads].any())
+        if macros is None or values is None or not self._gives:
+            return held
+        table = macros.table
+        count = len(table.channels)
+        own = [now.channels.get(name, 0.0) for name in table.channels] if now.channels else [0.0] * count
+        turns = {HEAD: dict(vars(now.head)), GAZE: dict(vars(now.gaze)), PAD: {}}
+        own += [turns[kind].get(name, 0.0) for kind, name in table.targets[count:]]
+        sums = sum_by_target(table, values, own)
+        known = self._cast.expressions
+        given = zip(table.channels, sums, strict=False)
+        channels = {name: value for name, value in given if value and name in known}
+        if now.channels:
+            others = {name: value for name, value in now.channels.items() if name not in table.channels}
+            channels = dict(sorted({**others, **channels}.items()))
+        for (kind, name), value in zip(table.targets[count:], sums[count:], strict=True):
+            limit = ANGLES.get(kind, {}).get(name)
+            if limit is not None:
+                turns[kind][name] = min(max(value, -limit), limit)
+        return Held(channels, Head(**turns[HEAD]), Gaze(**turns[GAZE]))
 
     def _with_faders(self, frame: Frame) -> Frame:
         """A frame of what hands hold, where macros give something: as it stands, beside what faders hold."""

@@ -36,7 +36,8 @@ from omote.perform.layers.source_frame import (
     with_gaze_of_units,
 )
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
-from omote.perform.mappings.macros import NO_MACROS, NO_STATUSES, macro_statuses
+from omote.perform.mappings.macro_vectors import MacroVectors, macro_statuses, states_of, vectors_of
+from omote.perform.mappings.macros import NO_MACROS
 from omote.perform.mix import combine, mix_in
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
@@ -137,7 +138,8 @@ class Performer(SpringPlaying):
         return performer
 
     def _go_on(self, snapshot: Snapshot) -> None:
-        self._now = replace(snapshot, layers=None)
+        self._now = replace(snapshot, layers=None, macros=NO_MACROS)
+        self._macros = vectors_of(snapshot.macros, snapshot.mappings.kept)
         self._last_sources = ()
         self._layers = restored(self._cast, snapshot.layers)
 
@@ -154,7 +156,7 @@ class Performer(SpringPlaying):
         >>> omote.Performer(cast).snapshot().face.on_air
         'generic'
         """
-        return replace(self._now, layers=snapshot_of(self._layers))
+        return replace(self._now, layers=snapshot_of(self._layers), macros=states_of(self._macros))
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -425,6 +427,7 @@ class Performer(SpringPlaying):
             now = self._without_layers(_at_rest(self._with_played_mixes(now, soon[0]), self._held()))
             if now.easing_to_rest is not None:
                 now = replace(now, easing_to_rest=at_speed(now.easing_to_rest, *soon, MOMENT))
+            self._macros = None
         elif is_home_next(now):
             now = replace(
                 now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
@@ -599,14 +602,14 @@ class Performer(SpringPlaying):
     def _frame_without_gestures(self) -> Frame:
         now = self._now
         held = self._held()
-        frame = _frame(now, held)
+        frame = _frame(now, held, self._macros)
         if now.clips:
             frame = with_fields(frame, clips=self._clip_statuses())
         if now.pads:
             frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
             frame = with_layers(frame, self._layers, held, now.easing_to_rest, self._mixes)
-        return self._with_faders(frame) if self._sources() else frame
+        return self._with_faders(frame) if self._gives else frame
 
     def _show_soon(self) -> tuple[Frame, Frame]:
         """What would show a moment and two moments later, beside gestures; what shows now where that cannot be told:
@@ -676,7 +679,6 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
         else replace(set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)), lost=False),
         speaking=None,
         gestures=release_gestures(now.gestures),
-        macros=NO_MACROS,
         pads={},
         springs=release_springs(now.springs),
     )
@@ -685,7 +687,7 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
 _NOTHING = Frame({}, {})
 
 
-def _frame(now: Snapshot, held: Held) -> Frame:
+def _frame(now: Snapshot, held: Held, macros: MacroVectors | None) -> Frame:
     return with_fields(
         _NOTHING,
         faces=axis.weights(now.face),
@@ -706,5 +708,5 @@ def _frame(now: Snapshot, held: Held) -> Frame:
         motion=None if now.motion is None else now.motion.settings,
         speech=speech_status(now.speaking),
         spoken=now.spoken,
-        macros=macro_statuses(now.mappings.kept, now.macros) if now.mappings.kept else NO_STATUSES,
+        macros=macro_statuses(now.mappings.kept, macros),
     )

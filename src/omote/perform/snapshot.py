@@ -27,7 +27,8 @@ from omote.perform.limits import (
     check_within,
 )
 from omote.perform.mappings.kept_mappings import NO_MAPPINGS, Mappings, check_mappings
-from omote.perform.mappings.macros import NO_MACROS, Macros, channels_given, check_macros
+from omote.perform.mappings.macro_vectors import channels_given
+from omote.perform.mappings.macros import NO_MACROS, Macros, check_macros
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name

@@ -198,13 +198,17 @@ class CharacterCommand(ClientMessage, frozen=True):
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Plays it on all characters that it is for, or on none: where one rejects it (each has macros of its own), the
         others are as they were. session: the show; who: the client; now: seconds, monotonic."""
-        performers = [session.scene[name] for name in characters_of(session.scene, self.character)]
-        before = [dict(vars(performer)) for performer in performers] if len(performers) > 1 else []
+        scene = session.scene
+        if self.character in scene:  # nearly always
+            self.play(scene[self.character])
+            return ()
+        performers = [scene[name] for name in characters_of(scene, self.character)]
+        before = [dict(vars(performer)) for performer in performers]
         try:
             for performer in performers:
                 self.play(performer)
         except (ValueError, TypeError):
-            for performer, values in zip(performers, before, strict=False):
+            for performer, values in zip(performers, before, strict=True):
                 vars(performer).update(values)
             raise
         return ()

@@ -228,9 +228,11 @@ class ShowSession:
         """Does what a message asks for that the gates have let through, and notes it; Refusal where it cannot be done.
         who: the client; message: with the names of what it calls; now: seconds, monotonic; unseen: in preview, of
         which no recording is made."""
-        with RefusedErrors(message):
+        try:
             check_ranges(message)
             answers = message.act(self.preview.session(self) if unseen else self, who, now)
+        except (ValueError, TypeError) as error:
+            raise refusal_of(error, message) from error
         if message.recorded and not unseen:
             self.recorder.note_message(who, message, now)
         return answers
@@ -249,8 +251,10 @@ class ShowSession:
         try:
             self.leasing.check(who, message, characters)
         except HeldByOthersRefusal:
-            with RefusedErrors(message):
+            try:
                 message.check_names(self)  # nobody is asked for parts for the sake of what there is not
+            except (ValueError, TypeError) as error:
+                raise refusal_of(error, message) from error
             raise
 
     def _echo(self, who: str, message: ClientMessage, characters: Sequence[str], now: float, *, unseen: bool) -> None:
@@ -564,20 +568,9 @@ def id_of(message: ClientMessage) -> str:
     return call if message.once else ""
 
 
-class RefusedErrors:
-    """What cannot be done of a message is a Refusal that says why. A class, for a generator takes longer to enter than
-    most messages to act."""
-
-    def __init__(self, message: ClientMessage) -> None:
-        self._message = message
-
-    def __enter__(self) -> None:
-        """Begins to do what the message asks for."""
-
-    def __exit__(self, _: object, error: BaseException | None, __: object) -> None:
-        """Raises the Refusal where it could not be done."""
-        if isinstance(error, (ValueError, TypeError)) and not isinstance(error, Refusal):
-            raise Refusal(f"{error}. Nothing has changed.{reload_hint(self._message)}") from error
+def refusal_of(error: ValueError | TypeError, message: ClientMessage) -> Refusal:
+    """The Refusal that says why a message could not be done. error: why."""
+    return error if isinstance(error, Refusal) else Refusal(f"{error}. Nothing has changed.{reload_hint(message)}")
 
 
 def reload_hint(message: ClientMessage) -> str:

@@ -18,7 +18,7 @@ def test_a_source_has_the_columns_of_its_parts_and_their_trust(cast: Cast) -> No
     own = columns_of_source(layers, "tracker", "phone")
     assert own[layers.columns.index["jawOpen"]]
     assert not columns_of_source(layers, "tracker", "other").any()
-    goal = dict(zip(DRIVEN, trust_goal(layers), strict=True))
+    goal = dict(zip(DRIVEN, np.frombuffer(trust_goal(layers)).reshape(len(DRIVEN), -1).tolist(), strict=True))
     assert max(goal["tracker"]) == 1.0
     assert max(goal["lips"]) == 0.0
     assert trust_of(layers, "tracker").max() == 0.0, "it is followed"

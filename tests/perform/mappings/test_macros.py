@@ -8,12 +8,24 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.perform.layers.follower import rate_of
+from omote.perform.mappings import macro_kernels
 from omote.perform.mappings.kept_mappings import ByName
-from omote.perform.mappings.macros import NO_MACROS, check_macros, follow_change, follow_pair, move_macro
+from omote.perform.mappings.macro_vectors import move_macro, states_of
+from omote.perform.mappings.macros import check_macros, follow_change
 from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 
 SECONDS = st.sampled_from([0.05, 0.1, 0.5, 2.0])
 STEP = 1e-3
+
+
+def follow_pair(
+    pair: tuple[float, float], goal: float, rise: float, fall: float, dt: float, count: int = 1
+) -> tuple[float, float]:
+    """A pair some steps of dt later. rise, fall: seconds, 0 at once."""
+    rises, falls = (rate_of(seconds) if seconds else 0.0 for seconds in (rise, fall))
+    first, second = macro_kernels.follow_pair(pair[0], pair[1], goal, rises, falls, dt, count)
+    return first, second
 
 
 @given(st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=6), SECONDS, SECONDS)
@@ -34,7 +46,7 @@ def test_what_follows_stays_between_and_never_jumps_in_speed(goals: list[float],
 
 @given(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0), SECONDS, SECONDS)
 def test_many_short_steps_land_near_one_long_one(start: float, goal: float, rise: float, fall: float) -> None:
-    one = follow_pair((start, start), goal, rise, fall, 0.1)
+    one = follow_pair((start, start), goal, rise, fall, 0.025, 4)
     many = (start, start)
     for _ in range(100):
         many = follow_pair(many, goal, rise, fall, STEP)
@@ -46,7 +58,7 @@ def test_no_seconds_are_at_once_and_each_way_has_its_own() -> None:
     assert follow_pair((0.0, 0.0), 0.7, 0.0, 0.5, 1 / 60) == (0.7, 0.7)
     risen = follow_pair((0.7, 0.7), 0.0, 0.0, 0.5, 1 / 60)
     assert 0.0 < risen[1] < 0.7
-    assert follow_pair((0.0, 0.0), 1.0, 0.2, 0.2, 0.2)[1] == pytest.approx(0.9, abs=0.02)
+    assert follow_pair((0.0, 0.0), 1.0, 0.2, 0.2, 0.025, 8)[1] == pytest.approx(0.9, abs=0.02)
 
 
 def test_a_rename_and_another_change_at_once_keep_what_each_macro_gives() -> None:
@@ -54,5 +66,5 @@ def test_a_rename_and_another_change_at_once_keep_what_each_macro_gives() -> Non
     jaw, lip = (MacroTarget(f"channel/{name}") for name in ("jawOpen", "mouthPucker"))
     before: ByName = {"m1": MacroMapping("m1", (jaw,)), "m2": MacroMapping("m2", (jaw,))}
     after: ByName = {"m1": MacroMapping("m1", (jaw, lip)), "m3": MacroMapping("m3", (jaw,))}
-    macros = move_macro(NO_MACROS, before["m1"], 0.5, lambda _: 0.0)
+    macros = states_of(move_macro(None, before, "m1", 0.5, lambda _: 0.0))
     check_macros(follow_change(macros, before, after), after)

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.mappings.soft_limit import soft_sum
+from omote.perform.mappings import soft_limit
 
 RANGE = (-0.5, 1.0)
 INSIDE = st.floats(-0.49, 0.99)
 TINY = 1e-6
+
+
+def soft_sum(values: list[float], lowest: float, highest: float) -> float:
+    return float(soft_limit.soft_sum(np.array(values), lowest, highest))
 
 
 @given(st.floats(-0.5, 1.5), st.integers(0, 3))

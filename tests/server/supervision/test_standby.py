@@ -206,7 +206,9 @@ def test_a_standby_says_when_it_is_ready_and_has_one_thread(tmp_path: Path) -> N
 
 WARMED = """
 import gc
+import omote
 from numba.core.dispatcher import Dispatcher
+from omote.perform.scene.scene import Scene
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.supervision.standby import warm
 from omote.stage_data.assets import compound_asset
@@ -222,10 +224,16 @@ before = compiled()
 for face in documents.cast.faces.values():
     for expression in list(documents.cast.expressions)[::16]:
         compound_asset(documents.cast, face, expression)
+scene = Scene.begun(documents.cast)
+scene.move_pad("one", "mouth", 0.5)
+scene["one"].drive({"jawOpen": 0.5})
+scene["one"].set_mapping(omote.MacroMapping("mouth", [omote.MacroTarget("channel/jawOpen")]))
+scene["one"].move_macro("mouth", 0.5)
+scene.advance(1 / 60)
 print(*sorted(compiled() - before), sep="\\n", end="")
 """
 
 
-def test_no_face_of_a_show_waits_for_a_compiler() -> None:
+def test_no_face_and_no_motion_of_a_show_waits_for_a_compiler() -> None:
     done = subprocess.run([sys.executable, "-c", WARMED], capture_output=True, text=True, check=True)
     assert done.stdout == ""

@@ -90,6 +90,7 @@ class Columns:
     lowest: Values = field(init=False)
     _in_parts: dict[tuple[bool, ...], NDArray[np.bool_]] = field(init=False, default_factory=dict)
     _places: dict[tuple[str, ...], NDArray[np.intp]] = field(init=False, default_factory=dict)
+    _turns: dict[tuple[bool, bool], NDArray[np.intp]] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "width", len(self.names) + len(ANGLES))
@@ -160,6 +161,15 @@ class Columns:
             if len(self._places) >= MOST_REMEMBERED:
                 self._places.clear()
             columns = self._places[names] = np.array([self.index[name] for name in names], np.intp)
+        return columns
+
+    def places_of_turns(self, head: bool, gaze: bool) -> NDArray[np.intp]:
+        """The columns of what a frame turns: of a head yaw, pitch and roll, of a gaze yaw, pitch and `eyes`."""
+        columns = self._turns.get((head, gaze))
+        if columns is None:
+            of_head = range(self.width + HEAD.start, self.width + HEAD.stop) if head else ()
+            of_gaze = [*range(self.width + GAZE.start, self.width), *(self.index[eye] for eye in self.eyes)]
+            columns = self._turns[head, gaze] = np.array([*of_head, *(of_gaze if gaze else ())], np.intp)
         return columns
 
 

@@ -4,7 +4,8 @@ replays bit for bit on any machine."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache
 
 import numpy as np
 
@@ -36,26 +37,26 @@ def steps_of(dt: float) -> Iterator[float]:
 def follow(
     first: Values, second: Values, goal: Values, rate: Values, haste: Values, dt: float, *, comes_to_rest: bool = True
 ) -> tuple[Values, Values]:
-    """Two one-pole filters in a row, `dt` seconds later: what the first and the second give, arrays of one shape.
+    """Two one-pole filters in a row, `dt` seconds later: what the first and the second give, arrays (n,), contiguous.
 
     Both stay between what they were and the goal. rate: of both poles, 1/s; haste: what a distance from the goal adds
     to it, so that what moves fast is followed closely and what trembles is smoothed (the idea of the One-Euro filter,
     without its kink); a distance that no motion covers in a frame is a jump, and adds nothing. comes_to_rest:
     what is near its goal is there.
     """
-    ahead = first - goal
-    behind = second - goal
-    z, left = _steps(np.abs(ahead), rate, haste, dt)
-    np.multiply(ahead, z, out=z)
-    behind += z
-    behind *= left
-    ahead *= left
-    later_first = np.add(goal, ahead, out=ahead)
-    later_second = np.add(goal, behind, out=behind)
-    if not comes_to_rest:
-        return later_first, later_second
-    there = np.abs(later_first - goal) + np.abs(later_second - goal) < NEAR
-    return np.where(there, goal, later_first), np.where(there, goal, later_second)
+    later_first = np.empty_like(goal)
+    later_second = np.empty_like(goal)
+    near = NEAR if comes_to_rest else 0.0
+    _follow_all()(first, second, goal, rate, haste, dt, JUMP, near, later_first, later_second)
+    return later_first, later_second
+
+
+@cache
+def _follow_all() -> Callable[..., None]:
+    """The kernel, loaded when the first layer goes on: no command line needs Numba."""
+    from omote.perform.layers.layer_kernels import follow_all
+
+    return follow_all
 
 
 def follow_number(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:
@@ -70,24 +71,3 @@ def follow_number(first: float, second: float, goal: float, rate: float, dt: flo
         first = goal + ahead * left
         second = goal + ((second - goal) + ahead * z) * left
     return first, second
-
-
-def _steps(distance: Values, rate: Values, haste: Values, dt: float) -> tuple[Values, Values]:
-    """The rates times `dt` at some distances, and what is left of each distance after it.
-
-    In place wherever that gives the same: the vectors are short, and making them takes as long as the sums.
-    """
-    square = distance * distance
-    slowed = JUMP * square
-    slowed *= square
-    slowed += 1.0
-    z = haste * distance
-    z /= slowed
-    z += rate
-    z *= dt
-    left = z * 0.235
-    for coefficient in (0.48, 1.0):
-        left += coefficient
-        left *= z
-    left += 1.0
-    return z, np.divide(1.0, left, out=left)

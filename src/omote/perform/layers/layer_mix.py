@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
+from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
@@ -34,12 +36,11 @@ NO_MIXES: Mixes = {}
 MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
-_DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
 _DRIVEN_RUNS = [(slice(0, 2), slice(0, 2)), (slice(2, 6), slice(3, 7))]
 """Rows of `DRIVEN` and of `LAYERS` that follow one another in both."""
-_EACH_ROW = np.arange(len(DRIVEN))[:, None]
 _EMOTION = LAYERS.index("emotion")
-_HANDS = LAYERS.index("hands")
+_MIXED_ROWS = np.array([LAYERS.index(layer) for layer in (*DRIVEN, "hands")], np.int64)
+"""Of the driven layers and of the hands above them, among all."""
 CLIP_LAYER: LayerName = "playback"
 """The layer that clips play."""
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
@@ -196,13 +197,13 @@ def _parts(owners: Owners, source: str) -> tuple[LayerPart, ...]:
 def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     """The few channels that each driven layer moves most, of all layers at once."""
     names = layers.columns.names
-    streams = layers.columns.rows(layers.second, "streams")[:, : len(names)]
-    order = np.argsort(-np.abs(streams), axis=1, kind="stable")[:, :MOST_SHOWN]
-    values = streams[_EACH_ROW, order].tolist()
-    places = order.tolist()
+    streams = layers.columns.rows(layers.second, "streams")
+    found = np.empty((len(DRIVEN), min(MOST_SHOWN, len(names))), np.int64)
+    values = np.empty(found.shape)
+    _kernels().find_strongest(streams, len(names), found, values)
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
-        for layer, both in zip(DRIVEN, zip(places, values, strict=True), strict=True)
+        for layer, both in zip(DRIVEN, zip(found.tolist(), values.tolist(), strict=True), strict=True)
         if layer in layers.drivers
     }
 
@@ -210,27 +211,29 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
 def _mixed_values(layers: Layers, shares: Values) -> Values:
     """The channels and angles of all layers."""
     columns = layers.columns
-    streams = columns.rows(layers.second, "streams")
-    mixed = np.zeros(columns.width)
-    by_column = shares[:, columns.parts]
-    for row, layer in enumerate(DRIVEN):
-        if layer not in layers.drivers:
-            continue
-        part = by_column[_DRIVEN_ROWS[row]]
-        value = streams[row]
-        if RULES[layer] == "replace":
-            mixed = (1.0 - part) * mixed + part * value
-        elif RULES[layer] == "offset":
-            mixed = mixed + part * value
-        else:
-            mixed = mixed + part * value * (1.0 - mixed)
-    part = by_column[_HANDS] * columns.rows(layers.second, "hold")
-    return _in_range(layers, (1.0 - part) * mixed + part * columns.rows(layers.second, "hands"))
+    streams, hold, hands = (columns.rows(layers.second, section) for section in ("streams", "hold", "hands"))
+    mixed = np.empty(columns.width)
+    rules = _rules(tuple(layers.drivers))
+    _kernels().mix_streams(
+        streams, shares, columns.parts, rules, _MIXED_ROWS, hold, hands, columns.lowest, columns.highest, mixed
+    )
+    return mixed
 
 
-def _in_range(layers: Layers, values: Values) -> Values:
-    """The same without what rounding has added beyond the ends of the ranges: means lie within."""
-    return np.maximum(np.minimum(values, layers.columns.highest), layers.columns.lowest)
+@lru_cache(maxsize=256)
+def _rules(drives: tuple[LayerName, ...]) -> NDArray[np.int64]:
+    """What each layer that may be driven does, by its number in the kernel, where some are."""
+    kernels = _kernels()
+    does = {"offset": kernels.OFFSETS, "replace": kernels.REPLACES, "fill": kernels.FILLS}
+    return np.array([does[RULES[layer]] if layer in drives else kernels.SKIPS for layer in DRIVEN], np.int64)
+
+
+@cache
+def _kernels() -> ModuleType:
+    """The kernels, loaded when the first layer shows: no command line needs Numba."""
+    from omote.perform.layers import layer_kernels
+
+    return layer_kernels
 
 
 def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:

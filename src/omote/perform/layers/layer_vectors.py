@@ -16,7 +16,7 @@ from omote.perform.layers.columns import Columns, HasExpressions, make_columns, 
 from omote.perform.layers.drivers import NOBODY, Driver, Owners
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
 
-UNTRUSTED = (0.0,) * len(NOBODY)
+UNTRUSTED = np.zeros(len(NOBODY)).tobytes()
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,19 +70,20 @@ def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
     return places
 
 
-def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
-    """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
-    return [
+def trust_goal(layers: Layers) -> bytes:
+    """Where the trust of each part of each driven layer goes, as float64: to 1 where it shows whom it belongs to."""
+    return b"".join(
         _trust_goal(layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY))
         if layer in layers.drivers
         else UNTRUSTED
         for layer in DRIVEN
-    ]
+    )
 
 
 @lru_cache(maxsize=256)
-def _trust_goal(owners: Owners, followed: Owners) -> tuple[float, ...]:
-    return tuple(float(owner is not None and owner == shown) for owner, shown in zip(owners, followed, strict=True))
+def _trust_goal(owners: Owners, followed: Owners) -> bytes:
+    pairs = zip(owners, followed, strict=True)
+    return np.array([float(owner is not None and owner == shown) for owner, shown in pairs]).tobytes()
 
 
 def share_goal(layers: Layers) -> Values:

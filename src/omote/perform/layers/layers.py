@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -286,9 +287,10 @@ def _stepped(layers: Layers, dt: float) -> Layers:
     goal = layers.goal
     columns = layers.columns
     wanted = trust_goal(layers)
-    if list(map(tuple, columns.rows(goal, "trust").tolist())) != wanted:
+    trust = columns.sections["trust"]
+    if goal[trust].tobytes() != wanted:
         goal = goal.copy()
-        columns.rows(goal, "trust")[:] = wanted
+        goal[trust] = np.frombuffer(wanted)
     comes_to_rest = not any(
         driver.is_trusted for layer_drivers in drivers.values() for driver in layer_drivers
     )  # nothing rests while one plays
@@ -399,20 +401,23 @@ def write_frame(
     cast: whose expressions there are; stream: the values of the layer's columns, written; own: which of them show the
     source.
     """
-    stream[own] = 0.0
-    if len(frame.names):
-        places = columns.places(frame.names)
-        shown = own[places]
-        if shown.all():
-            stream[places] = frame.values
-        else:
-            stream[places[shown]] = np.asarray(frame.values)[shown]
-    if frame.head is not None and own[HEAD].all():
-        stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
-    if frame.gaze is not None and own[GAZE].all():
-        stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
-        turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
-        stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
+    head = frame.head
+    gaze = frame.gaze
+    turned = [] if head is None else [head.yaw, head.pitch, head.roll]
+    if gaze is not None:
+        weights = gaze_channels(cast.expressions, gaze, frame.vergence)
+        turned += [gaze.yaw, gaze.pitch, *(weights.get(unit, 0.0) for unit in columns.eyes)]
+    turns = columns.places_of_turns(head is not None, gaze is not None)
+    values = np.ascontiguousarray(frame.values, np.float64)
+    _write_stream()(stream, own, columns.places(frame.names), values, turns, np.array(turned))
+
+
+@cache
+def _write_stream() -> Callable[..., None]:
+    """The kernel, loaded with the first frame: no command line needs Numba."""
+    from omote.perform.layers.layer_kernels import write_stream
+
+    return write_stream
 
 
 def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName, SourceFrame]) -> Layers:
@@ -436,14 +441,12 @@ def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName
         if driver is None:
             continue
         drivers[layer] = replace_driver(drivers[layer], with_fields(driver, silent=0.0, smoothing=frame.smoothing))
-        columns = layers.columns
         row = DRIVEN.index(layer)
         own = columns_of_source(layers, layer, frame.source)
-        stream = columns.rows(goal, "streams")[row]
-        write_frame(cast, columns, stream, own, frame)
-        now = stream[own]
-        columns.rows(first, "streams")[row][own] = now
-        columns.rows(second, "streams")[row][own] = now
+        stream, *shown = (layers.columns.rows(vector, "streams")[row] for vector in (goal, first, second))
+        write_frame(cast, layers.columns, stream, own, frame)
+        for each in shown:
+            np.copyto(each, stream, where=own)
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers, calm=False)
 
 

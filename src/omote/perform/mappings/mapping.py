@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, get_args
+from typing import Literal, NamedTuple, get_args
 
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.arrays import Values
 from omote.perform.layers.follower import rate_of
 from omote.perform.limits import (
     CHANNEL_HIGHEST,
@@ -37,7 +42,7 @@ WIDEST = max(CHANNEL_HIGHEST, *HEAD_LIMITS.values(), *GAZE_LIMITS.values())
 """What any target takes: weights, radians."""
 IN_ADDRESSES = "/*?[]{}# ,"
 """What no name of a macro has: its address of OSC is made of it."""
-_ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
+ANGLES: Mapping[str, Mapping[str, float]] = {HEAD: HEAD_LIMITS, GAZE: GAZE_LIMITS}
 """Radians either way."""
 
 
@@ -191,6 +196,18 @@ class MacroTarget:
         return pieces_of(self.curve if self.below is None else self.below.curve)
 
 
+class TargetRows(NamedTuple):
+    """The targets of a mapping as numbers. lows (m,), spans (m, 2): what each gives in the middle, and how far it goes
+    from there above and below, not a number where it stays; runs (m, 4): where its curves above and below begin and end
+    in pieces (k, 9); rates (m, 2): of its rise and its fall (1/s), 0 at once."""
+
+    lows: Values
+    spans: Values
+    runs: NDArray[np.int64]
+    pieces: Values
+    rates: Values
+
+
 @dataclass(frozen=True)
 class MacroCondition:
     """Where a macro plays at all: while something is above a level, or below it.
@@ -334,15 +351,24 @@ class MacroMapping:
         return any(target.below is not None for target in self.targets)
 
     @cached_property
-    def reached(self) -> tuple[str, ...]:
-        """What it plays, in the order of its targets."""
-        return tuple(target.to for target in self.targets)
-
-    @cached_property
-    def halves(self) -> tuple[tuple[Half, ...], tuple[Half, ...]]:
-        """The halves of its targets from the middle up, and those below."""
-        above, below = zip(*(target.halves for target in self.targets), strict=True)
-        return above, below
+    def rows(self) -> TargetRows:
+        """Its targets as numbers: worked out once, for a character's change with each of its mappings."""
+        pieces: list[tuple[float, ...]] = []
+        runs: list[list[int]] = []
+        for target in self.targets:
+            ends = [len(pieces)]
+            for _, _, half, _, _ in target.halves:
+                pieces += half
+                ends.append(len(pieces))
+            runs.append([ends[0], ends[1], ends[1], ends[2]])
+        halves = [target.halves for target in self.targets]
+        return TargetRows(
+            np.array([target.low for target in self.targets]),
+            np.array([[math.nan if span is None else span for _, span, _, _, _ in each] for each in halves]),
+            np.array(runs, np.int64),
+            np.array(pieces, np.float64).reshape(-1, 9),
+            np.array([above[3:] for above, _ in halves]),
+        )
 
     @cached_property
     def plays_pads(self) -> bool:
@@ -387,7 +413,7 @@ def range_of(to: object) -> tuple[float, float]:
         return CHANNEL_LOWEST, CHANNEL_HIGHEST
     if kind == PAD and axis_of_pad(name)[1] in AXES:
         return PLACE_RANGE
-    limit = _ANGLES.get(kind, {}).get(name)
+    limit = ANGLES.get(kind, {}).get(name)
     if limit is None:
         raise ValueError(
             f"a macro cannot play {to!r:.80}; give channel/NAME, {HEAD}/{'|'.join(HEAD_LIMITS)}, "

@@ -327,7 +327,7 @@ def mix_of_place(
     """The mixture of the looks of a pad at a place of it, as of `Pad.mix_at`. place: checked; known: the names that
     there are; instead: what others count as."""
     mix = combine(zip(pad._weights(place), pad._mixes, strict=True))
-    if known is None or not any(name not in known for name in mix):
+    if known is None or all(map(known.__contains__, mix)):
         return mix
     return combine((1.0, {name if name in known else instead: weight}) for name, weight in mix.items())
 

@@ -23,7 +23,7 @@ from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSetti
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
 from omote.perform.limits import check_known
-from omote.perform.mappings.macros import move_macro
+from omote.perform.mappings.macro_vectors import move_macro
 from omote.perform.mappings.mapping import MACRO_LIMITS
 from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE, Pad, PadPlace
@@ -252,12 +252,11 @@ class SceneCharacter(Performer):
 
     def _macros_at(self) -> dict[str, float]:
         """Where the macros are that hands or cues have moved."""
-        return {name: state.value for name, state in self._now.macros.moved.items()}
+        return {} if self._macros is None else self._macros.moved_to
 
     def _put_macro(self, name: str, value: float) -> None:
         """Moves a macro on its way."""
-        mapping = self.mappings[name]
-        self._now = with_fields(self._now, macros=move_macro(self._now.macros, mapping, value, self._reading))
+        self._macros = move_macro(self._macros, self.mappings, name, value, self._reading)
 
     def _call_macros(self, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
         """Brings some macros to where a goal has them, each from where it is, as a cue does."""

@@ -23,6 +23,7 @@ from functools import partial
 from pathlib import Path
 
 from omote.model.transfer.fold_repair import warm_repair
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.perform.scene.character_names import FIRST_CHARACTER
 from omote.perform.scene.scene import Scene
 from omote.server.access.access_setup import add_access_options, load_access, read_access_options
@@ -107,6 +108,9 @@ def warm(documents: CastDocuments) -> None:
     scene = Scene.begun(cast)
     for pad in [*scene.pads][:1]:
         scene.move_pad(FIRST_CHARACTER, pad, None)
+    scene[FIRST_CHARACTER].set_motion(0.5)
+    scene[FIRST_CHARACTER].set_mapping(MacroMapping("turn", (MacroTarget("head/yaw"),)))
+    scene[FIRST_CHARACTER].move_macro("turn", 0.5)
     scene.advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
