@@ -156,7 +156,7 @@ def asked(parameter: inspect.Parameter) -> tuple[object, ...]:
 
 def nameless(frame: Frame) -> dict[str, LayerStatus]:
     """The layers of a frame without the names of their sources."""
-    return {layer: replace(each, source="") for layer, each in frame.layers.items()}
+    return {layer: each._replace(source="") for layer, each in frame.layers.items()}
 
 
 def keyless(frame: Frame) -> SpeechStatus | None:

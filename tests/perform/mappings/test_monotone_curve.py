@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from omote.perform.mappings.macro_kernels import curve_value
-from omote.perform.mappings.monotone_curve import STRAIGHT, Knots, check_knots, curve_at, pieces_of
+from omote.perform.mappings.monotone_curve import STRAIGHT, Knots, check_knots, curve_at
 
 PARTS = st.floats(0.0, 1.0)
 TINY = 1e-6
@@ -67,9 +65,3 @@ def test_two_knots_are_a_straight_line(at: float) -> None:
 def test_what_no_curve_goes_through_is_refused(wrong: list[tuple[float, ...]], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         check_knots(wrong, "the curve")
-
-
-@given(knots(), PARTS)
-def test_a_macro_that_plays_gives_what_its_curve_says(curve: Knots, at: float) -> None:
-    pieces = np.array(pieces_of(curve)).reshape(-1, 9)
-    assert curve_value(pieces, 0, len(pieces), at) == curve_at(curve, at)

@@ -125,11 +125,10 @@ def write_stream(
     turns: NDArray[np.int64],
     turned: Values,
 ) -> None:
-    """Writes a frame of a source into the columns of a layer (width,) that show it; what it does not send there is at
-    rest.
+    """Writes a frame of a source into the columns of a layer that show it; what it does not send there is at rest.
 
-    own (width,): which columns show the source; places (k,), values (k,): of its channels; turns (t,), turned (t,): of
-    its head and its gaze, after those.
+    stream (width,): the values of the columns, written; own (width,): which of them show the source; places (k,),
+    values (k,): of its channels; turns (t,), turned (t,): of its head and its gaze, after those.
     """
     for c in range(stream.size):
         if own[c]:

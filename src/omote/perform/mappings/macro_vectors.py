@@ -137,7 +137,8 @@ def states_of(vectors: MacroVectors | None) -> Macros:
 def move_macro(vectors: MacroVectors | None, mappings: ByName, name: str, value: float, read: Read) -> MacroVectors:
     """The macros with one of them moved by a hand.
 
-    mappings: of the character; name: of the macro; value: -1 to 1; read: what a condition reads now.
+    vectors: those of the character, None where none has moved; mappings: of it; name: of the macro; value: -1 to 1;
+    read: what a condition reads now.
     """
     if not (type(value) is float and -1.0 <= value <= 1.0):  # nearly never, and names take as long as all else
         value = check_within(value, *MACRO_LIMITS, f"the macro {name}")
@@ -160,7 +161,10 @@ def move_macro(vectors: MacroVectors | None, mappings: ByName, name: str, value:
 
 
 def advance_macros(vectors: MacroVectors, read: Read, dt: float) -> MacroVectors:
-    """The macros `dt` seconds later; the same object where nothing has moved. read: what a condition reads now."""
+    """The macros `dt` seconds later; the same object where nothing has moved.
+
+    vectors: those of the character; read: what a condition reads now.
+    """
     table = vectors.table
     step, count = (dt, 1) if 0.0 < dt <= LONGEST_STEP else _steps(dt)  # nearly always one
     opens = _opened(vectors, read)
@@ -182,7 +186,10 @@ def advance_macros(vectors: MacroVectors, read: Read, dt: float) -> MacroVectors
 
 
 def is_a_condition_new(vectors: MacroVectors, read: Read) -> bool:
-    """Whether a condition of a macro that was moved opens or shuts now. read: what a condition reads now."""
+    """Whether a condition of a macro that was moved opens or shuts now.
+
+    vectors: those of the character; read: what a condition reads now.
+    """
     return _opened(vectors, read) is not vectors.opens
 
 
@@ -206,8 +213,10 @@ def given_by(vectors: MacroVectors) -> Values:
 
 
 def sum_by_target(table: MacroTable, values: Values, own: Sequence[float]) -> list[float]:
-    """What each target has of all its sources, softly limited. values: of `given_by`; own: what faders hold of each
-    target."""
+    """What each target has of all its sources, softly limited.
+
+    table: of the character; values: of `given_by`; own: what faders hold of each target.
+    """
     held = np.array(own)
     sums = np.empty(len(table.targets))
     _kernels().sum_sources(values, held, table.order, table.target_begins, table.limits, sums)
@@ -227,7 +236,7 @@ def channels_given(macros: Macros, mappings: ByName) -> frozenset[str]:
 
 
 def macro_statuses(mappings: ByName, vectors: MacroVectors | None) -> Mapping[str, MacroStatus]:
-    """All macros of a character as they are now. mappings: of it."""
+    """All macros of a character as they are now. mappings: of it; vectors: its macros, None where none has moved."""
     if vectors is None:
         return dict.fromkeys(mappings, UNMOVED) if mappings else NO_STATUSES
     numbers = zip(vectors.values.tolist(), vectors.gates[:, 1].tolist(), strict=True)
