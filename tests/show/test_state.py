@@ -13,7 +13,7 @@ from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import CharacterFrame, Place, SceneFrame
 from omote.show.objects.state import State
-from omote.show.state import EyeOffset, call_state, gaze_lids, names_on_air, state_of
+from omote.show.state import EyeOffset, added_to, call_state, names_on_air, state_of
 from tests.conftest import Command, shows
 
 
@@ -68,7 +68,7 @@ def test_the_eyes_follow_the_gaze(cast: Cast, yaw: float, pitch: float) -> None:
 )
 def test_channels_and_lids_together_are_what_acts(channels: dict[str, float], more: dict[str, float]) -> None:
     effective = {**channels, **more}
-    added = gaze_lids(channels, effective)
+    added = added_to(channels, effective)
     for name, weight in effective.items():
         assert channels.get(name, 0.0) + added.get(name, 0.0) == pytest.approx(weight)
     assert 0.0 not in added.values()

@@ -608,7 +608,7 @@ class Performer(SpringPlaying):
         if now.pads:
             frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
-            frame = with_layers(frame, self._layers, self._cast.expressions, held, now.easing_to_rest, self._mixes)
+            frame = with_layers(frame, self._layers, held, now.easing_to_rest, self._mixes)
         return self._with_faders(frame) if self._gives else frame
 
     def _show_soon(self) -> tuple[Frame, Frame]:

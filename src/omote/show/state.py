@@ -12,8 +12,9 @@ import msgspec
 
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, ClipStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, ClipStatus, Frame, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
+from omote.perform.saturation import saturate
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
 from omote.perform.springs.cast_springs import check_spring
 from omote.show.objects.cues import CueName, CueStatus
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
 
 
-STRAIGHT = Gaze()
 EYE_SECONDS = 0.25
 """Eyes of an expression that changes on air take as long as its skin does on a stage (`source_crossfade.ts`)."""
 
@@ -140,7 +140,7 @@ def character_state(
     eye_offset: what is added to the eyes; sounds: as of `state_of`."""
     frame = character.frame
     place = character.place
-    channels = channels_of(cast.expressions, frame)
+    channels = saturate(cast.expressions, frame, channels_of(cast.expressions, frame))
     return CharacterState(
         faces=dict(frame.faces),
         expressions=dict(frame.expressions),
@@ -148,7 +148,7 @@ def character_state(
         head=(frame.head.yaw, frame.head.pitch, frame.head.roll),
         gaze=(frame.gaze.yaw, frame.gaze.pitch),
         eyes=eye_offset.add_to(_eyes(cast, frame, channels), frame.time),
-        lids={} if frame.held is not None or frame.gaze == STRAIGHT else gaze_lids(frame.channels, channels),
+        added=added_to(frame.channels, channels),
         face_call=call_state(frame.face_call),
         expression_call=call_state(frame.expression_call),
         face_fader=frame.face_fader,
@@ -225,8 +225,10 @@ def _held_state(held: Held) -> HeldState:
     return HeldState(dict(held.channels), (head.yaw, head.pitch, head.roll), (gaze.yaw, gaze.pitch))
 
 
-def gaze_lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
-    """What the gaze adds to the channels, name by name. effective: their weights with it."""
+def added_to(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
+    """What is added to the channels, name by name. effective: their weights with it."""
+    if effective == channels:  # nearly always
+        return {}
     added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
     return {name: weight for name, weight in added.items() if weight}
 
@@ -237,7 +239,7 @@ def names_on_air(state: State) -> tuple[frozenset[str], frozenset[str]]:
     expressions = set[str]()
     for character in state.characters.values():
         faces.update(character.faces)
-        expressions.update(character.expressions, character.channels, character.lids, *character.regions.values())
+        expressions.update(character.expressions, character.channels, character.added, *character.regions.values())
         faces.update(_called(character.face_call))
         expressions.update(_called(character.expression_call))
         expressions.update(call.target for call in character.region_calls.values())

@@ -17,10 +17,10 @@ def test_layers_are_mixed_one_over_the_other(seed: int, does: list[int]) -> None
     streams = rng.uniform(-0.5, 1.5, (len(does), WIDTH))
     shares = rng.random((8, 7))
     rows = np.arange(len(does) + 1, dtype=np.int64)
-    closed, hold, hands = rng.random((3, WIDTH))
+    hold, hands = rng.random((2, WIDTH))
     lowest, highest = np.full(WIDTH, -0.25), np.full(WIDTH, 1.25)
     found = np.empty(WIDTH)
-    mix_streams(streams, shares, PARTS, np.array(does, np.int64), rows, closed, hold, hands, lowest, highest, found)
+    mix_streams(streams, shares, PARTS, np.array(does, np.int64), rows, hold, hands, lowest, highest, found)
     mixed = np.zeros(WIDTH)
     for rule, stream, row in zip(does, streams, shares[:, PARTS], strict=False):
         if rule == REPLACES:
@@ -28,7 +28,7 @@ def test_layers_are_mixed_one_over_the_other(seed: int, does: list[int]) -> None
         elif rule == OFFSETS:
             mixed = mixed + row * stream
         elif rule == FILLS:
-            mixed = mixed + row * stream * ((1.0 - mixed) * (1.0 - closed))
+            mixed = mixed + row * stream * (1.0 - mixed)
     held = shares[len(does), PARTS] * hold
     wanted = np.maximum(np.minimum((1.0 - held) * mixed + held * hands, highest), lowest)
     assert found.tobytes() == wanted.tobytes()

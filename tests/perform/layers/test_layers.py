@@ -243,14 +243,17 @@ def test_breath_adds_a_little_and_what_is_more_is_refused(cast: Cast) -> None:
 
 
 def test_a_blink_closes_what_is_still_open(cast: Cast) -> None:
-    performer = Performer(cast)
-    performer.drive({"smile": 0.5}, layer="tracker")
-    performer.call_expression("smile", seconds=0.0)
-    alone = last(played(cast, performer, 3.0, lambda _: performer.drive({"smile": 1.0}, layer="blink")))
-    assert alone.channels.get("smile", 0.0) < 0.01, "the mix wears the whole of it already"
-    performer.call_expression("neutral", seconds=0.0)
-    free = last(played(cast, performer, 3.0, lambda _: performer.drive({"smile": 1.0}, layer="blink")))
-    assert free.channels["smile"] == pytest.approx(1.0, abs=1e-3)
+    def blinked(breath: float) -> float:
+        performer = Performer(cast)
+
+        def drive(_: int) -> None:
+            performer.drive({"smile": breath}, layer="breath")
+            performer.drive({"smile": 1.0}, layer="blink")
+
+        return last(played(cast, performer, 3.0, drive)).channels["smile"]
+
+    assert blinked(0.0) == pytest.approx(1.0, abs=1e-3)
+    assert blinked(0.05) == pytest.approx(1.0, abs=1e-3), "one closed lid, not more"
 
 
 def test_a_panic_takes_sources_off_and_in_a_quarter_of_a_second_all_is_still(cast: Cast) -> None:

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 8;
+export const PROTOCOL_VERSION = 9;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1719,7 +1719,8 @@ export type PadPointState = { place: number[]; plays: boolean };
 /**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
- * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
+ * stand. `added`: to the channels, by name: what the gaze makes of lids, and below 0 what
+ * other expressions open or shut already. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
  * with or without a call. `panics` counts them: when it rises, hands are off. `home_next`: the next one brings
  * `home_face` in `home_seconds`. `place`: as it is now, on its way; `presence`: 0 off stage, 1 on it. `leaves`: it has
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
@@ -1737,7 +1738,7 @@ export type CharacterState = {
   head: [number, number, number];
   gaze: [number, number];
   eyes: [number, number, number, number];
-  lids: Record<string, number>;
+  added: Record<string, number>;
   face_call: CallState | null;
   expression_call: CallState | null;
   face_fader: number;

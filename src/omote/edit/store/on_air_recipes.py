@@ -64,8 +64,8 @@ def calls_of(character: CharacterState) -> list[CallState]:
 def channels_of(character: CharacterState) -> dict[str, float]:
     """The channels of a character as they act, the gaze's part included, without what its springs add for a moment."""
     shown = without_springs(character.channels, None if character.held is None else character.held.channels)
-    names = (*shown, *(name for name in character.lids if name not in shown))
-    return {name: shown.get(name, 0.0) + character.lids.get(name, 0.0) for name in names}
+    names = (*shown, *(name for name in character.added if name not in shown))
+    return {name: shown.get(name, 0.0) + character.added.get(name, 0.0) for name in names}
 
 
 def neutral_recipe(net: tuple[int, ...]) -> Recipe:

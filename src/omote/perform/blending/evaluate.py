@@ -24,6 +24,7 @@ from omote.perform.channels import channels_of, highest_weight, lowest_weight
 from omote.perform.frame import Frame
 from omote.perform.limits import check_known, check_within
 from omote.perform.mix import Weights, combine
+from omote.perform.saturation import saturate
 
 Mode = Literal["bilinear", "exact"]
 MODES: tuple[Mode, ...] = ("bilinear", "exact")
@@ -124,7 +125,7 @@ def _blend(cast: Cast, frame: Frame, mode: Mode) -> tuple[Mapping[str, float], F
     check_playable(cast, frame)
     if not isinstance(mode, str) or mode not in MODES:
         raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
-    channels = channels_of(cast.expressions, frame)
+    channels = saturate(cast.expressions, frame, channels_of(cast.expressions, frame))
     return channels, (_exact if mode == "exact" else _bilinear)(cast, frame, channels)
 
 

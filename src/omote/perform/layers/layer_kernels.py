@@ -53,14 +53,13 @@ def follow_all(
         later_second[i] = behind
 
 
-@njit(void(_READ_ROWS, _READ_ROWS, _PLACES, _PLACES, _PLACES, *[_READ] * 5, _WRITE), cache=True, error_model="numpy")
+@njit(void(_READ_ROWS, _READ_ROWS, _PLACES, _PLACES, _PLACES, *[_READ] * 4, _WRITE), cache=True, error_model="numpy")
 def mix_streams(
     streams: Values,
     shares: Values,
     parts: NDArray[np.int64],
     rules: NDArray[np.int64],
     rows: NDArray[np.int64],
-    closed: Values,
     hold: Values,
     hands: Values,
     lowest: Values,
@@ -71,8 +70,7 @@ def mix_streams(
 
     streams (n, width): of the driven layers; shares (8, 7): how much of each layer shows on each part; parts (width,):
     of each column; rules (n,): what each driven layer does; rows (n + 1,): of the driven layers and of the hands among
-    the shares; closed (width,): how much of each column the mix wears already, which nothing fills again; hold, hands
-    (width,): what hands hold, and how much; lowest, highest (width,): the ranges.
+    the shares; hold, hands (width,): what hands hold, and how much; lowest, highest (width,): the ranges.
     """
     count = rules.size
     for c in range(mixed.size):
@@ -84,7 +82,7 @@ def mix_streams(
             elif rules[i] == OFFSETS:
                 value = value + share * streams[i, c]
             elif rules[i] == FILLS:
-                value = value + share * streams[i, c] * ((1.0 - value) * (1.0 - closed[c]))
+                value = value + share * streams[i, c] * (1.0 - value)
         share = shares[rows[count], parts[c]] * hold[c]
         value = (1.0 - share) * value + share * hands[c]
         mixed[c] = max(min(value, highest[c]), lowest[c])

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from types import ModuleType
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
-from omote.model.space.expression import Expression
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD
 from omote.perform.layers.drivers import NOBODY, Owners
@@ -31,52 +28,6 @@ from omote.perform.layers.layer_names import (
 from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
 from omote.perform.layers.source_frame import CLIP
 from omote.perform.panic import EasingToRest, eased
-
-HEAD_RADIUS = 0.09
-"""Metres from the axis to the skin: what an angle and a ratio of radii are worth beside a height."""
-FULL = 1.0
-"""The share of a unit that is worn altogether."""
-
-_worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = WeakKeyDictionary()
-
-
-def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
-    """How much of a unit a mix of expressions wears, 0 to 1."""
-    shares = _worn.get(unit)
-    if shares is None:
-        shares = _worn[unit] = WeakKeyDictionary()
-    terms = []
-    for name, weight in mix.items():
-        expression = expressions[name]
-        share = shares.get(expression)
-        if share is None:
-            share = shares[expression] = worn_share(unit, expression)
-        terms.append(weight * share)
-    worn = math.fsum(terms)
-    return FULL if worn > FULL else max(worn, 0.0)
-
-
-def worn_share(unit: Expression, expression: Expression) -> float:
-    """How much of a unit an expression wears, 0 to 1: its field's share along the unit's, where the unit moves skin.
-
-    Summed exactly (`math.fsum`), so that every machine finds the same.
-    """
-    if np.shape(unit.dh) != np.shape(expression.dh):
-        return 0.0
-    rows = np.flatnonzero((unit.dh != 0.0) | (unit.dtheta != 0.0) | (unit.ratio != 1.0))
-    own = _moves(unit, rows)
-    other = _moves(expression, rows)
-    square = math.fsum((own * own).tolist())
-    share = math.fsum((own * other).tolist()) / square if square else 0.0
-    return FULL if share > FULL else max(share, 0.0)
-
-
-def _moves(expression: Expression, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-    """About how far it moves these rows of the sheet, metres: around, up and out."""
-    turned = expression.dtheta[rows] * HEAD_RADIUS
-    out = (expression.ratio[rows] - 1.0) * HEAD_RADIUS
-    return np.concatenate([turned, expression.dh[rows], out])
-
 
 Mix = Mapping[str, float]
 Mixes = Mapping[PlayRegion, Mix]
@@ -112,7 +63,6 @@ class Mixed:
 def mix_layers(
     layers: Layers,
     shares: Values,
-    expressions: Mapping[str, Expression],
     mix: Mix,
     regions: Mixes,
     played: Mixes = NO_MIXES,
@@ -123,7 +73,7 @@ def mix_layers(
     face, own = _with_neutral(mix, regions, kept)
     if played:
         face, own = _with_played(face, own, played, _shares_of_clip(layers, shares))
-    values = _mixed_values(layers, shares, _closed(layers, expressions, own.get("eyes", face)))
+    values = _mixed_values(layers, shares)
     numbers = values.tolist()  # all in range
     channels = {name: value for name, value in zip(layers.columns.names, numbers, strict=False) if value}
     (yaw, pitch, roll) = numbers[HEAD]
@@ -137,17 +87,16 @@ def mix_layers(
 def with_layers(
     frame: Frame,
     layers: Layers,
-    expressions: Mapping[str, Expression],
     held: Held,
     easing_to_rest: EasingToRest | None,
     played: Mixes = NO_MIXES,
 ) -> Frame:
     """A frame of calls and hands with all layers in; easing_to_rest: what a panic has left on its way to rest.
 
-    expressions: those of the cast, by name; held: what hands hold; played: the mixes of clips, by region.
+    held: what hands hold; played: the mixes of clips, by region.
     """
     shares = influences(layers)
-    mixed = mix_layers(layers, shares, expressions, frame.expressions, frame.regions, played)
+    mixed = mix_layers(layers, shares, frame.expressions, frame.regions, played)
     return with_fields(
         frame,
         expressions=mixed.expressions,
@@ -259,14 +208,14 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     }
 
 
-def _mixed_values(layers: Layers, shares: Values, closed: Values) -> Values:
-    """The channels and angles of all layers; closed: how much of each the mix wears already."""
+def _mixed_values(layers: Layers, shares: Values) -> Values:
+    """The channels and angles of all layers."""
     columns = layers.columns
     streams, hold, hands = (columns.rows(layers.second, section) for section in ("streams", "hold", "hands"))
     mixed = np.empty(columns.width)
     rules = _rules(tuple(layers.drivers))
     _kernels().mix_streams(
-        streams, shares, columns.parts, rules, _MIXED_ROWS, closed, hold, hands, columns.lowest, columns.highest, mixed
+        streams, shares, columns.parts, rules, _MIXED_ROWS, hold, hands, columns.lowest, columns.highest, mixed
     )
     return mixed
 
@@ -285,17 +234,6 @@ def _kernels() -> ModuleType:
     from omote.perform.layers import layer_kernels
 
     return layer_kernels
-
-
-def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values:
-    """How much of each channel of the fills the mix wears already; 0 of all others."""
-    closed = np.zeros(layers.columns.width)
-    for layer, drivers in layers.drivers.items():
-        if RULES[layer] != "fill":
-            continue
-        for name in {name for driver in drivers for name in driver.names}:
-            closed[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
-    return closed
 
 
 def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:

@@ -152,7 +152,8 @@ class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
     `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
-    stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
+    stand. `added`: to the channels, by name: what the gaze makes of lids, and below 0 what
+    other expressions open or shut already. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
     with or without a call. `panics` counts them: when it rises, hands are off. `home_next`: the next one brings
     `home_face` in `home_seconds`. `place`: as it is now, on its way; `presence`: 0 off stage, 1 on it. `leaves`: it has
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
@@ -170,7 +171,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     head: tuple[float, float, float]
     gaze: tuple[float, float]
     eyes: tuple[float, float, float, float]
-    lids: dict[str, float]
+    added: dict[str, float]
     face_call: CallState | None
     expression_call: CallState | None
     face_fader: float

@@ -112,7 +112,7 @@ export class Fader extends FaderElement {
     const text = Math.abs(displayed) < LEAST_SHOWN ? "" : displayed.toFixed(2).replace(/^(-?)0\./, "$1.");
     write.style(this.carrier, "transform", `translateY(${-100 * fractionOf(weight, CHANNEL)}%)`);
     write.style(this.fill, "transform", `scaleY(${(air / (CHANNEL.high - CHANNEL.low)).toFixed(4)})`);
-    const lid = this.store.air?.lids[this.channel] ?? 0;
+    const lid = Math.max(this.store.air?.added[this.channel] ?? 0, 0);
     write.style(this.gaze, "transform", `scaleY(${lid / (CHANNEL.high - CHANNEL.low)})`);
     write.text(this.number, text || (this.side === null ? "" : this.side === "left" ? "L" : "R"));
     write.flag(this.number, "touched", weight !== 0);

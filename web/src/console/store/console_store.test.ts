@@ -11,7 +11,7 @@ const CALM: CharacterState = {
   head: [0, 0, 0],
   gaze: [0, 0],
   eyes: [0, 0, 0, 0],
-  lids: {},
+  added: {},
   face_call: null,
   expression_call: null,
   face_fader: 0,

@@ -29,8 +29,8 @@ describe("traits", () => {
     }
   });
 
-  it("add up expressions, channels and lids without a limit", () => {
-    const pose = { ...restPose("kaori", "fear"), channels: { fear: 1 }, lids: { angry: 1 } };
+  it("add up expressions, channels and what is added without a limit", () => {
+    const pose = { ...restPose("kaori", "fear"), channels: { fear: 1 }, added: { angry: 1 } };
     expect(of(pose).pupil).toBeCloseTo(1.5);
   });
 

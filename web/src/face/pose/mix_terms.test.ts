@@ -8,7 +8,7 @@ const all = (): number => 1;
 function byDefinition(pose: ReturnType<typeof restPose>, at: (face: string, expression?: string) => number): number {
   let sum = 0;
   const channels = { ...pose.channels };
-  for (const [name, weight] of Object.entries(pose.lids)) channels[name] = (channels[name] ?? 0) + weight;
+  for (const [name, weight] of Object.entries(pose.added)) channels[name] = (channels[name] ?? 0) + weight;
   for (const [face, s] of Object.entries(pose.faces)) {
     for (const [name, t] of Object.entries(pose.expressions)) sum += s * t * at(face, name);
     for (const [name, c] of Object.entries(channels)) sum += s * c * (at(face, name) - at(face));
@@ -21,7 +21,7 @@ const pose = {
   faces: { generic: 0.3, old: 0.7 },
   expressions: { neutral: 0.25, smile: 0.85, cry: -0.1 },
   channels: { jawOpen: 0.4, smile: 0.2 },
-  lids: { jawOpen: -0.1, eyeBlinkLeft: 0.5 },
+  added: { jawOpen: -0.1, eyeBlinkLeft: 0.5 },
 };
 
 const face = (name: string): number => name.length * 1.7;

@@ -25,12 +25,12 @@ export interface Term {
 export type Share = (face: string, expression: string | undefined) => number;
 
 /** Weights of all expressions and channels on air in a region, or where none goes its own way: `t + c`, the channels with
- * what the gaze adds. */
+ * what is added to them. */
 export function expressionWeights(pose: Pose, region?: PlayRegion): Record<string, number> {
   const own = region === undefined ? undefined : pose.regions[region];
   const sum: Record<string, number> = { ...(own ?? pose.expressions) };
   for (const name in pose.channels) sum[name] = (sum[name] ?? 0) + (pose.channels[name] as number);
-  for (const name in pose.lids) sum[name] = (sum[name] ?? 0) + (pose.lids[name] as number);
+  for (const name in pose.added) sum[name] = (sum[name] ?? 0) + (pose.added[name] as number);
   return sum;
 }
 

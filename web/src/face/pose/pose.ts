@@ -4,15 +4,15 @@ import { FIRST_LIGHT } from "../../link/constants";
 import type { CharacterState, State } from "../../link/messages";
 
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
-export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "lids" | "head" | "eyes"> &
+export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "added" | "head" | "eyes"> &
   Pick<State, "light">;
 
 type Weights = Record<string, number>;
 type Regions = Pose["regions"];
 
 /** The same text for the same pose. */
-export const poseKey = ({ faces, expressions, regions, channels, lids, head, eyes, light }: Pose): string =>
-  JSON.stringify([faces, expressions, regions, channels, lids, head, eyes, light]);
+export const poseKey = ({ faces, expressions, regions, channels, added, head, eyes, light }: Pose): string =>
+  JSON.stringify([faces, expressions, regions, channels, added, head, eyes, light]);
 
 /** The pose at rest: one face, neutral. */
 export const restPose = (face: string, expression = "neutral"): Pose => ({
@@ -20,7 +20,7 @@ export const restPose = (face: string, expression = "neutral"): Pose => ({
   expressions: { [expression]: 1 },
   regions: {},
   channels: {},
-  lids: {},
+  added: {},
   head: [0, 0, 0],
   eyes: [0, 0, 0, 0],
   light: { [FIRST_LIGHT]: 1 },
@@ -53,7 +53,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     expressions: mixWeights(from.expressions, to.expressions, part),
     regions: mixRegions(from, to, part),
     channels: mixWeights(from.channels, to.channels, part),
-    lids: mixWeights(from.lids, to.lids, part),
+    added: mixWeights(from.added, to.added, part),
     head: mixAngles(from.head, to.head, part),
     eyes: mixAngles(from.eyes, to.eyes, part),
     light: mixWeights(from.light, to.light, part),

@@ -29,18 +29,18 @@ describe("a source crossfade", () => {
   it("passes from the old to the new within a quarter of a second, without a jump, and the sum stays", () => {
     const sources = cast({ grin: "#1", kin: "#3" });
     const sourceCrossfade = new SourceCrossfade(sources);
-    const pose: Pose = { ...restPose("kin", "grin"), channels: { grin: -0.5 }, lids: { grin: 0.2 } };
+    const pose: Pose = { ...restPose("kin", "grin"), channels: { grin: -0.5 }, added: { grin: 0.2 } };
     sourceCrossfade.pose(pose, FRAME, shown);
     Object.assign(sources.known, { grin: "#2", kin: "#4" });
     expect(sourceCrossfade.settled(pose)).toBe(false);
     let last = 0;
     for (let frame = 0; frame < 16; frame++) {
-      const { expressions, channels, lids, faces } = sourceCrossfade.pose(pose, FRAME, shown);
+      const { expressions, channels, added, faces } = sourceCrossfade.pose(pose, FRAME, shown);
       const part = expressions["#2"] ?? 0;
       expect(part).toBeGreaterThanOrEqual(last);
       expect(part - last).toBeLessThan(0.11);
       expect(channels["#2"]).toBeCloseTo(-0.5 * part);
-      expect(lids["#2"]).toBeCloseTo(0.2 * part);
+      expect(added["#2"]).toBeCloseTo(0.2 * part);
       expect(faces["#4"]).toBeCloseTo(part);
       for (const weights of [expressions, faces]) expect(sum(weights)).toBeCloseTo(1);
       last = part;

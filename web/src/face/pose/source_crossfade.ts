@@ -53,7 +53,7 @@ export class SourceCrossfade {
       expressions: this.spread("expressions", pose.expressions),
       regions: this.spreadRegions(pose.regions),
       channels: this.spread("expressions", pose.channels),
-      lids: this.spread("expressions", pose.lids),
+      added: this.spread("expressions", pose.added),
     };
   }
 

@@ -1,0 +1,134 @@
+"""Units that saturate: a jaw that an expression opens is not opened once more by its fader, nor a lid shut twice."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from omote.arrays import Values
+from omote.model.action_units import ARKIT
+from omote.model.known_names import PlayRegion
+from omote.model.space.expression import Expression
+from omote.perform.frame import Frame
+from omote.perform.mix import mix_in
+
+SATURATING: Mapping[str, PlayRegion] = MappingProxyType(
+    {
+        "mouth-open": "mouth",
+        "jawOpen": "mouth",
+        "eyeBlinkLeft": "eyes",
+        "eyeBlinkRight": "eyes",
+        "eyeWideLeft": "eyes",
+        "eyeWideRight": "eyes",
+    }
+)
+"""The units that open, or shut, as far as the further of what plays them, and the region whose mix wears them."""
+JAW = ("mouth-open", "jawOpen")
+HEAD_RADIUS = 0.09
+"""Metres from the axis to the skin: what an angle and a ratio of radii are worth beside a height."""
+MOVES_MOST = 0.6
+"""Where a unit moves skin as much as this share of its farthest, it says what it is: the chin of a jaw, the middle of a
+lid. Elsewhere, as at the corners of a mouth, other units pull as well."""
+LEAST_SHARE = 0.1
+"""Of a unit: what wears less of it is something else."""
+OF_TAKES = frozenset(f"{unit}{side}" for unit in ARKIT for side in ("", "Left", "Right"))
+"""Units that a tracker sends at one time, each for itself: none of them is a second source of another."""
+SOFTNESS = 0.02
+"""How round the corner is where one gets further than the other: 0 gives the further of both, 4 their sum."""
+FULL = 1.0
+"""The weight of a unit that a jaw opens without bending."""
+BEYOND = 0.3
+"""Weight at most that a jaw opens beyond `FULL` for two sources: 32 degrees of 25 (Muto 1996, Travers 2000)."""
+WORN_ALTOGETHER = 0.1
+"""The weight from which on what is worn counts as a second source whole: below, a jaw alone is left as it was."""
+
+_shares: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = WeakKeyDictionary()
+
+
+def saturate(
+    expressions: Mapping[str, Expression], frame: Frame, channels: Mapping[str, float], /
+) -> Mapping[str, float]:
+    """The channels without what the mix of expressions, or another channel, opens or shuts already.
+
+    A unit that saturates (`SATURATING`) goes as far as the further of both, not as far as their sum: `worn` of it and
+    a channel `c` make `(worn + c + sqrt((worn - c)^2 + k worn c)) / 2`, of which the channel adds what is over `worn`.
+    The jaw's total is bent beyond what it opens alone. Where nothing else wears a unit its channel stays bit for bit.
+
+    expressions: those of the cast, by name; frame: its mixes; channels: weights, by name. Sums and square roots alone:
+    every machine finds the same.
+    """
+    changed = dict[str, float]()
+    for unit, region in SATURATING.items():
+        weight = channels.get(unit, 0.0)
+        if weight > 0.0 and unit in expressions:
+            mix = mix_in(region, frame.expressions, frame.regions)
+            others = {name: value for name, value in channels.items() if name not in OF_TAKES and name != unit}
+            worn = _worn(expressions[unit], expressions, mix) + _worn(expressions[unit], expressions, others | changed)
+            if worn > 0.0:
+                changed[unit] = added_by(weight, worn, held=unit in JAW)
+    return {**channels, **changed} if changed else channels
+
+
+def added_by(weight: float, worn: float, *, held: bool = False) -> float:
+    """What a channel adds to a unit of which so much is worn already: 0 to `weight`.
+
+    weight: of the channel, above 0; worn: 0 or more; held: whether the total is bent beyond `FULL`.
+    """
+    if held:
+        second = min(worn / WORN_ALTOGETHER, 1.0)
+        weight += second * (_bend(weight) - weight)
+    apart = worn - weight
+    further = 0.5 * (worn + weight + math.sqrt(apart * apart + SOFTNESS * worn * weight))
+    return max(further - worn, 0.0) if worn else weight
+
+
+def _bend(total: float) -> float:
+    """A weight that nears `FULL + BEYOND` beyond `FULL`, without a corner."""
+    over = total - FULL
+    return FULL + BEYOND * over / (BEYOND + over) if over > 0.0 else total
+
+
+def _worn(unit: Expression, expressions: Mapping[str, Expression], weights: Mapping[str, float]) -> float:
+    """How much of a unit these wear, 0 or more."""
+    worn = 0.0
+    for name, weight in weights.items():
+        if name in expressions:
+            worn += weight * worn_share(unit, expressions[name])
+    return max(worn, 0.0)
+
+
+def worn_share(unit: Expression, expression: Expression) -> float:
+    """How much of a unit an expression wears, 0 or from `LEAST_SHARE` on: its field's share along the unit's, where the
+    unit moves skin most.
+
+    Summed exactly (`math.fsum`), so that every machine finds the same.
+    """
+    shares = _shares.get(unit)
+    if shares is None:
+        shares = _shares[unit] = WeakKeyDictionary()
+    share = shares.get(expression)
+    if share is None:
+        share = shares[expression] = _share(unit, expression)
+    return share
+
+
+def _share(unit: Expression, expression: Expression) -> float:
+    if np.shape(unit.dh) != np.shape(expression.dh):
+        return 0.0
+    moves = _moves(unit)
+    lengths = (moves * moves).sum(axis=0)
+    rows = np.flatnonzero(lengths > MOVES_MOST * MOVES_MOST * lengths.max(initial=0.0))
+    own = moves[:, rows].ravel()
+    other = _moves(expression)[:, rows].ravel()
+    square = math.fsum((own * own).tolist())
+    share = math.fsum((own * other).tolist()) / square if square else 0.0
+    return share if share >= LEAST_SHARE else 0.0
+
+
+def _moves(expression: Expression) -> Values:
+    """About how far it moves each row of the sheet, metres: around, up and out, (3, V)."""
+    return np.stack([expression.dtheta * HEAD_RADIUS, expression.dh, (expression.ratio - 1.0) * HEAD_RADIUS])
