@@ -29,6 +29,15 @@ it("waits while no hand is seen", () => {
   expect(Math.min(...minute.fit("", 0).fit)).toBeGreaterThan(0.9);
   const waiting = new HandMinute(0);
   waiting.hear(syntheticPicture(3.5, syntheticHand(guideTargets(0))), 0);
+  waiting.hear(syntheticPicture(3.8), -1);
   waiting.pass(4.2);
   expect(waiting.state.phase).toBe("lost");
+});
+
+it("waits for no slow machine, but for one that has no pictures", () => {
+  const minute = new HandMinute(0);
+  for (let now = 0; now < 20; now += 0.7) minute.hear(syntheticPicture(now, syntheticHand(guideTargets(0))), 0);
+  expect(minute.state.time).toBeCloseTo(19.6 - 3);
+  minute.pass(21.7);
+  expect(minute.state.phase).toBe("lost");
 });
