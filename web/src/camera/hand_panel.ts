@@ -3,6 +3,7 @@
 import { css, html, nothing, svg } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { HAND_AXES, type HandAxes } from "../hands/hand_guide";
+import { adviseOnAbsence } from "../hands/hand_tracker";
 import { base, flow, palette } from "../ui/theme";
 import { textOf } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
@@ -95,7 +96,7 @@ export class HandPanel extends CameraElement {
   #calibration() {
     const { hand, noHand } = this.session;
     const known = hand.calibration !== null;
-    const advice = hand.failed || hand.advice(Date.now());
+    const advice = hand.failed || adviseOnAbsence(hand.reading?.away ?? 0) || hand.advice(Date.now());
     return html`<section class="panel" aria-label="Hand"><h2>How your hand is read</h2>
       ${
         known
