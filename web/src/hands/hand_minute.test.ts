@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { GUIDE_SECONDS, guideTargets } from "./hand_guide";
 import { HandMinute } from "./hand_minute";
-import { syntheticHand, syntheticPicture } from "./synthetic_hand";
+import { seededNumbers, syntheticHand, syntheticPicture } from "./synthetic_hand";
 
 /** Performs a minute; gone: between which seconds of it no hand is seen. */
 function perform(gone: [number, number] = [0, 0]): { minute: HandMinute; took: number } {
@@ -21,6 +21,17 @@ it("gets ready, moves for its time, and gives a calibration", () => {
   const { minute, took } = perform();
   expect(took).toBeCloseTo(3 + GUIDE_SECONDS, 0);
   expect(minute.fit("Camera", 5)).toMatchObject({ camera: "Camera", made: 5, side: "right" });
+});
+
+it("takes a picture for the moment when it was taken, however long it was looked at", () => {
+  const [minute, random] = [new HandMinute(0), seededNumbers(3)];
+  for (let now = 0; !minute.done; now += 1 / 8) {
+    minute.pass(now + 0.4 * random()); // the drawn hand has moved on meanwhile
+    minute.hear(syntheticPicture(now, syntheticHand(guideTargets(Math.max(0, now - 3.2)))), 0);
+  }
+  const { delay, fit } = minute.fit("", 0);
+  expect(delay).toBeCloseTo(0.2);
+  expect(Math.min(...fit)).toBeGreaterThan(0.95);
 });
 
 it("waits while no hand is seen", () => {

@@ -51,8 +51,9 @@ export class HandMinute {
     this.#missed = hand === undefined;
     if (hand === undefined) return;
     this.#seen = now;
-    const sample = handSample(hand, hands.width, hands.height, this.#time);
-    const taken = this.#time >= 0 && !this.done && now - this.#back > AGAIN;
+    const time = this.#time - (this.#now - now); // it was taken before it was looked at, by some other time for each
+    const sample = handSample(hand, hands.width, hands.height, time);
+    const taken = time >= 0 && !this.done && now - this.#back > AGAIN;
     if (sample !== null && taken) this.#samples.push(sample);
   }
 
