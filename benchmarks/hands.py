@@ -1,8 +1,10 @@
 """A rendered hand before the camera page: its guided minute, then play, through the product in Chromium.
 
-Films of fresh seeds are rendered from the rig of the CC0 body (no person was filmed) and are the camera of a real
-Chromium. The performer of a film follows the drawn hand of the page with a delay of its own; then it plays at random,
-opens and shuts four times a second, and leaves the picture three times.
+Films of fresh seeds are rendered from the rig of the CC0 body (no person was filmed). In a real Chromium their pictures
+come to the page in place of the camera's, each at its time by the page's clock: a camera that Chromium plays from a
+file falls behind on a busy machine, and nobody knows what was seen when. The performer of a film follows the drawn
+hand of the page with a delay of its own; then it plays at random, opens and shuts four times a second, and leaves the
+picture three times.
 
 `python -m benchmarks.hands [--seeds 3] [--seed 100] [--slow 1] [--both]`; a film takes two minutes to render and
 two to play.
@@ -21,7 +23,6 @@ import math
 import secrets
 import sys
 import tempfile
-import time
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -54,7 +55,9 @@ TURNS = (25.0, 25.0, 20.0)
 TICK = 1.0 / 60.0
 CHANNELS = ("jawOpen", "browInnerUp", "browDownLeft", "mouthSmileLeft", "mouthFrownLeft")
 RENDERED = 15
-"""Pictures a second that are rendered; each stands in the film twice."""
+"""Pictures a second that are rendered; each is seen twice, as of a camera of `FILM_RATE` pictures a second."""
+MANY = 100
+"""Pictures of a film that the page is given at once."""
 EMPTY = 2.0
 READY = 4.0
 PLAY = 12.0
@@ -128,21 +131,17 @@ def pose_of(axes: Values) -> HandPose:
     return HandPose(opening, (index, little), *turns)
 
 
-def write_film(path: Path, wheel: Path, seed: int, slow: int) -> Script:
-    """Renders a film of a fresh hand. path: of the motion JPEG; wheel: of the package; seed: of hand, room, noise and
-    moves; slow: how many times as long each picture stands."""
+def take_film(wheel: Path, seed: int) -> tuple[Script, list[bytes]]:
+    """Renders a film of a fresh hand, JPEGs. wheel: of the package; seed: of hand, room, noise and moves."""
     script = write_script(np.random.default_rng(seed))
     workers = os.cpu_count() or 1
     parts = np.array_split(np.arange(len(script.axes)), 8 * workers)
-    with ProcessPoolExecutor(workers) as pool, path.open("wb") as film:
-        for pictures in pool.map(render, repeat(wheel), repeat(seed), parts):
-            for picture in pictures:
-                film.write(slow * round(FILM_RATE / RENDERED) * picture)
-    return script
+    with ProcessPoolExecutor(workers) as pool:
+        return script, list(itertools.chain(*pool.map(render, repeat(wheel), repeat(seed), parts)))
 
 
 def render(wheel: Path, seed: int, pictures: NDArray[np.intp]) -> list[bytes]:
-    """Some pictures of a film, by their numbers; wheel, seed: as of `write_film`."""
+    """Some pictures of a film, by their numbers; wheel, seed: as of `take_film`."""
     script = write_script(np.random.default_rng(seed))
     draw = np.random.default_rng(seed + 1)
     hand = random_hand(Package(wheel), draw)
@@ -150,9 +149,35 @@ def render(wheel: Path, seed: int, pictures: NDArray[np.intp]) -> list[bytes]:
     return [jpeg_of(camera.take(pose_of(script.axes[place]) if script.there[place] else None)) for place in pictures]
 
 
-WATCH = """(wanted) => {
+CAMERA = """(({ slow, rate, rendered, places, many }) => {
+  const real = performance.now.bind(performance);
+  performance.now = () => real() / slow;
+  const seconds = () => performance.now() / 1000;
+  if (slow > 1) requestAnimationFrame = (draw) => setTimeout(draw, 100 * slow); // a busy machine has passes to make
+  const load = async () => {
+    const parts = [];
+    for (let part = 0; part * many < places.length - 1; part++) parts.push(await (await fetch(`/film/${part}`)).blob());
+    return new Blob(parts);
+  };
+  const whole = load();
+  window.film = { began: Infinity };
+  const pull = async (controller) => {
+    const pictures = await whole;
+    const next = Math.floor(seconds() * rate + 1) / rate;
+    await new Promise((done) => setTimeout(done, 1000 * slow * (next - seconds())));
+    const place = Math.max(0, Math.min(places.length - 2, Math.floor((seconds() - film.began) * rendered)));
+    const picture = await createImageBitmap(pictures.slice(places[place], places[place + 1]));
+    controller.enqueue(new VideoFrame(picture, { timestamp: 0 }));
+    picture.close();
+  };
+  window.MediaStreamTrackProcessor = class {
+    readable = new ReadableStream({ pull }, { highWaterMark: 0 });
+  };
+})"""
+"""Hands the film's pictures to the page as its camera's, the newest at each time; until it begins, its first."""
+WATCH = """({ slow, minute }) => {
   const { session } = document.querySelector("omote-camera-page");
-  const log = { readings: [], sent: [], faces: 0, began: null };
+  const log = { readings: [], sent: [], faces: 0, began: performance.now() / 1000 + 0.5 };
   window.log = log;
   const { host } = session.hand;
   const send = host.send;
@@ -160,59 +185,55 @@ WATCH = """(wanted) => {
     if (message.type === "hand_frame") log.sent.push([performance.now() / 1000, message]);
     return send(message);
   };
-  const drawn = session.drawing.face;
-  session.drawing.face = (landmarks) => { log.faces += 1; drawn(landmarks); };
-  let last = null;
-  let empty = 0;
-  const look = () => {
-    const { reading } = session.hand;
-    if (reading !== null && reading !== last) {
-      last = reading;
-      const { time, playing, axes, turned } = reading;
-      if (log.began === null) {
-        empty = playing < 0 ? empty + 1 : empty;
-        if (playing >= 0 && empty > 4) {
-          log.began = time;
-          session.hand.beginMinute(time + wanted.ready - 3);
-        }
-      }
-      log.readings.push([time, playing, axes && Object.values(axes), turned]);
-    }
-    setTimeout(look, 4);
+  const { face, hands } = session.drawing;
+  session.drawing.face = (landmarks) => { log.faces += 1; face(landmarks); };
+  session.drawing.hands = (found, playing) => {
+    const { time, axes } = session.hand.reading;
+    log.readings.push([time, axes && Object.values(axes)]);
+    hands(found, playing);
   };
-  look();
-  void session.choose(session.device); // the film begins again
+  if (slow > 1) session.video.style.display = "none";
+  film.began = log.began;
+  session.hand.beginMinute(log.began + minute - 3); // it gives three seconds to get ready
 }"""
 SESSION = "document.querySelector('omote-camera-page')?.session"
 
 GATHER = f"(({{ hand }}) => ({{ ...log, kept: hand.calibration, failed: hand.failed, model: hand.model }}))({SESSION})"
 
 
+def film_part(film: list[bytes], part: int) -> bytes:
+    """Some pictures of a film: a whole one is too long for one answer. part: its number."""
+    return b"".join(film[MANY * part : MANY * (part + 1)])
+
+
 def wait_for(page: Page, condition: str) -> None:
     """Waits until a condition holds on a page; its content security lets the browser wait for no text."""
     while not page.evaluate(condition):
-        time.sleep(0.5)
+        page.wait_for_timeout(500)
 
 
-def perform(address: str, film: Path, seconds: float, *, slow: int, both: bool) -> dict[str, Any]:
-    """What the page read and sent while it saw a film. address: of the show; film: motion JPEG, so many seconds by the
-    page's clock, which is so many times as slow; both: looks for a face too."""
-    camera = "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"
+def perform(address: str, film: list[bytes], *, slow: int, both: bool, minute: float) -> dict[str, Any]:
+    """What the page read and sent while it saw a film. address: of the show; film: pictures; slow: how many times as
+    slow as real the page's clock goes; both: looks for a face too; minute: when the guided minute begins, seconds."""
+    places = [0, *itertools.accumulate(map(len, film))]
+    of_film = {"slow": slow, "rate": FILM_RATE, "rendered": RENDERED, "places": places, "many": MANY}
+    camera = f"--use-fake-device-for-media-stream=fps={FILM_RATE if slow == 1 else 5}", "--use-fake-ui-for-media-stream"
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=str(find_browser()),
-            chromium_sandbox=False,
-            args=[*PAGES, *QUIET, *camera, f"--use-file-for-fake-video-capture={film}"],
+            executable_path=str(find_browser()), chromium_sandbox=False, args=[*PAGES, *QUIET, *camera]
         )
         page = browser.new_context(permissions=["camera"]).new_page()
+        page.route(
+            "**/film/*", lambda route: route.fulfill(body=film_part(film, int(route.request.url.split("/")[-1])))
+        )
         page.add_init_script(f"localStorage['omote.camera.tracked'] = '{'both' if both else 'hand'}'")
-        page.add_init_script(f"const real = performance.now.bind(performance); performance.now = () => real() / {slow}")
-        page.goto(f"{address}/camera")
+        page.add_init_script(f"{CAMERA}({json.dumps(of_film)})")
+        page.goto(f"{address}/camera", timeout=0)
         wait_for(
             page, f"{SESSION}?.hand.reading != null && ({SESSION}.model.kind === 'ready' || {str(not both).lower()})"
         )
-        page.evaluate(WATCH, {"ready": READY})
-        wait_for(page, f"log.began !== null && performance.now() / 1000 > log.began + {seconds}")
+        page.evaluate(WATCH, {"slow": slow, "minute": minute})
+        wait_for(page, f"performance.now() / 1000 > log.began + {len(film) / RENDERED}")
         found: dict[str, Any] = page.evaluate(GATHER)
         browser.close()
     return found
@@ -301,9 +322,8 @@ def steps_on_air(sent: list[tuple[float, dict[str, Any]]], script: Script) -> tu
 
 def judge(found: dict[str, Any], script: Script, seconds: float) -> list[tuple[str, float, float, bool]]:
     """The figures of a film: what, how much, the bar, and whether it holds. seconds: of the film."""
-    shift = script.begins["ready"] - found["began"]
-    sent = [(time + shift, message) for time, message in found["sent"]]
-    readings = [(time + shift, axes) for time, _, axes, _ in found["readings"] if axes is not None]
+    sent = [(time - found["began"], message) for time, message in found["sent"]]
+    readings = [(time - found["began"], axes) for time, axes in found["readings"] if axes is not None]
     played = Played(np.array([time for time, _ in readings]), np.array([axes for _, axes in readings]), script)
     lag, axes = played.compare("play", "fast")
     in_play, lost = steps_on_air(sent, script)
@@ -336,12 +356,11 @@ def main() -> int:
     wheel = find_wheel(ROOT / "build" / "cast")
     missed = False
     for seed in range(options.seed, options.seed + options.seeds):
+        script, film = take_film(wheel, seed)
+        seconds = len(film) / RENDERED
         with tempfile.TemporaryDirectory() as folder:
-            film = Path(folder) / "hand.mjpeg"
-            script = write_film(film, wheel, seed, options.slow)
-            seconds = len(script.axes) / RENDERED
             for address in playing(Path(folder) / "show.omote"):
-                found = perform(address, film, seconds - EMPTY, slow=options.slow, both=options.both)
+                found = perform(address, film, slow=options.slow, both=options.both, minute=script.begins["minute"])
         if found["kept"] is None:
             print(f"seed {seed}: no calibration: {found['failed']}")
             missed = True

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator
 from io import BytesIO
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -94,4 +96,31 @@ def test_a_hand_before_the_camera_plays_a_face_and_is_lost_and_found(
     page.keyboard.press("Escape")
     expect(guide).to_be_hidden()
     assert wrong == []
+    context.close()
+
+
+def test_on_a_phone_the_guide_is_seen_and_a_film_of_it_is_saved_after_consent(
+    filmed: Browser, show: str, tmp_path: Path
+) -> None:
+    context = filmed.new_context(permissions=["camera"], viewport={"width": 390, "height": 844}, has_touch=True)
+    context.set_default_timeout(1000 * PATIENCE)
+    page = context.new_page()
+    page.add_init_script("localStorage['omote.camera.tracked'] = 'hand'")
+    page.goto(f"{show}/camera")
+    wait_until(page, "hand.reading !== null", SESSION, TOLD)
+    film = page.get_by_role("region", name="Film", exact=True)
+    film.get_by_role("button", name="Save a film").tap()
+    expect(film).to_contain_text("Omote sends it to nobody")
+    with page.expect_download() as saved:
+        film.get_by_role("button", name="We agree").tap()
+        expect(film).to_contain_text("is being taken")
+        page.get_by_role("button", name="Guided minute of the hand").tap()
+        film.get_by_role("button", name="End it and save").dispatch_event("click")  # a tap would scroll to it
+    expect(page.get_by_role("region", name="Guided minute of the hand")).to_be_in_viewport(ratio=1)
+    expect(page.locator("video")).to_be_in_viewport(ratio=1)
+    name = saved.value.suggested_filename
+    assert re.fullmatch(r"omote-hand-[\dT-]+-minute-at-[\d.]+s\.webm", name)
+    expect(film).to_contain_text(name)
+    saved.value.save_as(tmp_path / name)
+    assert (tmp_path / name).read_bytes()[:4] == b"\x1a\x45\xdf\xa3"
     context.close()

@@ -53,6 +53,16 @@ export class CameraPage extends CameraElement {
     if (context !== null && this.#hands !== null && tracked !== "face") drawHands(context, ...this.#hands);
   }
 
+  /** Whether a guide stood under the picture when the page was drawn last. */
+  #guides = false;
+
+  /** Who begins a guide below its picture, on a phone, is led back to it. */
+  protected override updated(): void {
+    const figure = this.renderRoot.querySelector("figure.guided");
+    if (figure !== null && !this.#guides) figure.scrollIntoView({ block: "start" });
+    this.#guides = figure !== null;
+  }
+
   constructor() {
     super();
     whileShown(this, () => listenToKeys({ page: this.#key }));

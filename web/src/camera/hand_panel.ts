@@ -3,6 +3,7 @@
 import { css, html, nothing, svg } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { HAND_AXES, type HandAxes } from "../hands/hand_guide";
+import { adviseOnAbsence } from "../hands/hand_tracker";
 import { base, flow, palette } from "../ui/theme";
 import { textOf } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
@@ -89,13 +90,14 @@ export class HandPanel extends CameraElement {
           ([name, label]) =>
             html`<button aria-pressed=${tracked === name} @click=${() => this.session.track(name)}>${label}</button>`,
         )}</div></section>
-      ${tracked === "face" ? nothing : html`${this.#calibration()}${status ? this.#plays(status.hand) : nothing}${this.#axes()}${this.#saving()}`}`;
+      ${tracked === "face" ? nothing : html`${this.#calibration()}${status ? this.#plays(status.hand) : nothing}${this.#axes()}`}
+      ${tracked !== "face" || this.#film.records ? this.#saving() : nothing}`;
   }
 
   #calibration() {
     const { hand, noHand } = this.session;
     const known = hand.calibration !== null;
-    const advice = hand.failed || hand.advice(Date.now());
+    const advice = hand.failed || adviseOnAbsence(hand.reading?.away ?? 0) || hand.advice(Date.now());
     return html`<section class="panel" aria-label="Hand"><h2>How your hand is read</h2>
       ${
         known
@@ -108,7 +110,7 @@ export class HandPanel extends CameraElement {
       ${advice ? html`<p class="warn">${advice}</p>` : nothing}
       ${hand.reading?.turned ? html`<p class="warn" role="alert">Your hand has turned to the camera, or from it, by more than 20 degrees: turn it back into profile, or make the guided minute again.</p>` : nothing}
       <div class="row">
-        <button class=${known ? "" : "main"} ?disabled=${noHand !== "" || hand.minute !== null} title=${noHand} @click=${() => hand.beginMinute(performance.now() / 1000)}>
+        <button class=${known ? "" : "main"} ?disabled=${noHand !== "" || hand.minute !== null} title=${noHand} @click=${this.#beginMinute}>
           ${known ? "Guided minute again" : "Guided minute of the hand"}</button>
         <button ?disabled=${!known} @click=${() => hand.forget()}>Forget this hand</button>
       </div>
@@ -116,6 +118,11 @@ export class HandPanel extends CameraElement {
         <option value="1" ?selected=${hand.count === 1}>one</option>
         <option value="2" ?selected=${hand.count === 2}>two: the other is a point</option></select></label></div></section>`;
   }
+
+  readonly #beginMinute = (): void => {
+    this.#film.noteMinute();
+    this.session.hand.beginMinute(performance.now() / 1000);
+  };
 
   #sayCalibration(): string {
     const { calibration, model, rate, reading } = this.session.hand;
@@ -169,19 +176,23 @@ export class HandPanel extends CameraElement {
   #saving() {
     const stream = this.session.video.srcObject;
     const open = stream instanceof MediaStream && "MediaRecorder" in globalThis;
-    if (this.#film.records) {
-      return html`<section class="panel" aria-label="Film"><p role="status">A film is being taken …</p>
-        <div class="row"><button @click=${() => this.#film.stop()}>End it and save</button></div></section>`;
+    const film = this.#film;
+    if (film.records) {
+      return html`<section class="panel" aria-label="Film"><p class="warn" role="status">A film of this camera is being taken</p>
+        <p>It ends by itself in ${Math.ceil(film.left)} s.</p>
+        <div class="row"><button @click=${() => film.stop()}>End it and save</button></div></section>`;
     }
     if (!this.asksForFilm) {
-      return html`<section class="panel" aria-label="Film"><div class="row">
-        <button ?disabled=${!open} @click=${() => this.#ask(true)}>Save a film of this camera…</button></div></section>`;
+      return html`<section class="panel" aria-label="Film">
+        ${film.saved ? html`<p role="status">Handed to the browser's downloads as ${film.saved}. Look at it before you pass it on; Omote keeps no copy.</p>` : nothing}
+        ${film.failed ? html`<p class="warn" role="alert">This browser takes no film: ${film.failed}</p>` : nothing}
+        <div class="row"><button ?disabled=${!open} @click=${() => this.#ask(true)}>Save a film of this camera…</button></div></section>`;
     }
     const begin = (): void => {
       this.#ask(false);
-      if (stream instanceof MediaStream) this.#film.start(stream);
+      if (stream instanceof MediaStream) film.start(stream);
     };
-    return html`<section class="panel" aria-label="Film"><p>The browser saves what this camera sees, without sound, for ${FILM_SECONDS} seconds or until you end it, as a file on this machine. Omote sends it to nobody; all who are in the picture should agree before you pass it on.</p>
+    return html`<section class="panel" aria-label="Film"><p>The browser saves what this camera sees, without sound, for ${FILM_SECONDS} seconds or until you end it, as a file on this machine. Omote sends it to nobody and has no film of a real hand: one of a guided minute helps most, if you pass it on to who develops Omote. All who are in the picture should agree to that first.</p>
       <div class="row"><button class="main" @click=${begin}>We agree: take it</button><button @click=${() => this.#ask(false)}>No film</button></div></section>`;
   }
 

@@ -11,31 +11,34 @@ const [WRIST, KNUCKLES]: [Point, Point] = [
 /** Lengths of the joints of a finger and of the thumb. */
 const FINGER = [24, 17, 13];
 const THUMB = [26, 20];
+/** Of the view box; where the ring of a turn stands in it. */
+const [WIDTH, TURN] = [220, 178];
 /** Degrees: how far the wrist turns at most as drawn. */
 const NOD = 24;
 
 type Point = [number, number];
 
-/** The hand, for a view box of 220 by 140. Fingers: the index behind, the little finger in front. */
-export function drawHand({ opening, index, little, yaw, pitch, roll }: HandAxes): SVGTemplateResult {
+/** The hand, for a view box of 220 by 140. Fingers: the index behind, the little finger in front. leftward: they point left. */
+export function drawHand({ opening, index, little, yaw, pitch, roll }: HandAxes, leftward = false): SVGTemplateResult {
   const turned = `rotate(${-NOD * pitch} ${WRIST[0]} ${WRIST[1]}) translate(${WRIST[0]} 0) scale(${1 - 0.16 * Math.abs(yaw)} 1) translate(${-WRIST[0]} 0)`;
   const tilt = 6 * roll;
   return svg`<g fill="none" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round">
+    <g transform=${leftward ? `translate(${WIDTH} 0) scale(-1 1)` : ""}>
     <path d="M4 92C34 84 56 76 78 74" stroke-width="26" opacity=".35" />
     <g transform=${turned}>
       <path d=${fingerPath([KNUCKLES[0], KNUCKLES[1] - 4 - tilt], opening, index)} stroke-width="9" opacity=".45" />
       <path d="M80 74Q104 60 124 67" stroke-width="24" opacity=".35" />
       <path d=${thumbPath(opening)} stroke-width="11" opacity=".8" />
       <path d=${fingerPath([KNUCKLES[0] - 2, KNUCKLES[1] + 5 + tilt], opening, little)} stroke-width="9" />
-    </g>
-    ${yaw === 0 ? null : drawTurn(yaw)}
+    </g></g>
+    ${yaw === 0 ? null : drawTurn(yaw, leftward)}
   </g>`;
 }
 
 /** Whether the hand turns to the camera or away: a ring that grows, or shrinks. */
-const drawTurn = (yaw: number): SVGTemplateResult =>
-  svg`<circle cx="178" cy="104" r=${9 - 7 * yaw} stroke-width="2.4" />
-    <text x="178" y="134" text-anchor="middle" font-size="11" fill="currentColor" stroke="none">${yaw > 0 ? "away" : "to the camera"}</text>`;
+const drawTurn = (yaw: number, leftward: boolean): SVGTemplateResult =>
+  svg`<circle cx=${leftward ? WIDTH - TURN : TURN} cy="104" r=${9 - 7 * yaw} stroke-width="2.4" />
+    <text x=${leftward ? WIDTH - TURN : TURN} y="134" text-anchor="middle" font-size="11" fill="currentColor" stroke="none">${yaw > 0 ? "away" : "to the camera"}</text>`;
 
 /** A finger from its knuckle: bent at the knuckle by as much as the mouth is shut, then by its curl. */
 function fingerPath(knuckle: Point, opening: number, curl: number): string {

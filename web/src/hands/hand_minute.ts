@@ -4,8 +4,8 @@ import { fitHand, type HandCalibration, type HandSample, handSample } from "./ha
 import { GUIDE_SECONDS, guideSection, guideTargets, type HandAxes } from "./hand_guide";
 import type { Hands } from "./hand_messages";
 
-/** Seconds to get ready; without a hand, after which the clock stands; after it came back, that are not taken. */
-const [READY, LOST, AGAIN] = [3, 0.5, 0.6];
+/** Seconds to get ready; without a hand in the pictures, after which the clock stands; without a picture; after it came back, that are not taken. */
+const [READY, LOST, STALLED, AGAIN] = [3, 0.5, 2, 0.6];
 
 /** Where the minute is. */
 export interface MinuteState {
@@ -25,6 +25,8 @@ export class HandMinute {
   #time: number;
   #now: number;
   #seen: number;
+  /** Whether the newest picture shows no hand. */
+  #missed = false;
   #back: number;
 
   constructor(begun: number) {
@@ -37,7 +39,7 @@ export class HandMinute {
   pass(now: number): void {
     const gap = Math.max(0, now - this.#now);
     this.#now = Math.max(now, this.#now);
-    if (this.#time < 0 || now - this.#seen < LOST) this.#time += gap;
+    if (this.#time < 0 || !this.#lost) this.#time += gap;
   }
 
   /** Takes a picture. playing: the place of the hand that is calibrated, -1 where it is not seen. */
@@ -45,12 +47,18 @@ export class HandMinute {
     const now = hands.time / 1000;
     this.pass(now);
     const hand = hands.hands[playing];
+    if (hand !== undefined && this.#lost) this.#back = now;
+    this.#missed = hand === undefined;
     if (hand === undefined) return;
-    if (now - this.#seen >= LOST) this.#back = now;
     this.#seen = now;
-    const sample = handSample(hand, hands.width, hands.height, this.#time);
-    const taken = this.#time >= 0 && !this.done && now - this.#back > AGAIN;
+    const time = this.#time - (this.#now - now); // it was taken before it was looked at, by some other time for each
+    const sample = handSample(hand, hands.width, hands.height, time);
+    const taken = time >= 0 && !this.done && now - this.#back > AGAIN;
     if (sample !== null && taken) this.#samples.push(sample);
+  }
+
+  get #lost(): boolean {
+    return this.#now - this.#seen >= (this.#missed ? LOST : STALLED);
   }
 
   /** Whether all moves have been shown. */
@@ -62,7 +70,7 @@ export class HandMinute {
   get state(): MinuteState {
     const time = Math.max(0, this.#time);
     const { advice } = guideSection(time);
-    const lost = this.#time >= 0 && this.#now - this.#seen >= LOST;
+    const lost = this.#time >= 0 && this.#lost;
     return {
       phase: this.#time < 0 ? "ready" : lost ? "lost" : "moves",
       time,

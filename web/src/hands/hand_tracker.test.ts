@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { fitHand, type HandSample, handSample } from "./hand_calibration";
 import { GUIDE_SECONDS, guideTargets } from "./hand_guide";
-import { HandTracker } from "./hand_tracker";
+import { adviseOnAbsence, HandTracker } from "./hand_tracker";
 import { STILL, syntheticHand, syntheticPicture } from "./synthetic_hand";
 
 const samples: HandSample[] = [];
@@ -63,4 +63,14 @@ it("reads nothing of a hand that is not calibrated", () => {
     playing: 0,
     axes: null,
   });
+});
+
+it("counts from the first picture, or the last with the hand, how long it is away, says then what to do, and where it points", () => {
+  const tracker = new HandTracker(null);
+  const away = (time: number, ...hands: Parameters<typeof syntheticPicture>[1][]): number =>
+    tracker.read(syntheticPicture(time, ...hands)).away;
+  expect([away(10), away(14), away(15, syntheticHand(STILL)), away(17)]).toEqual([0, 4, 0, 2]);
+  const [there, gone] = [syntheticPicture(18, syntheticHand(STILL)), syntheticPicture(19)];
+  expect([there, gone].map((hands) => tracker.read(hands).leftward)).toEqual([true, null]);
+  expect([0, 2, 4].map((seconds) => adviseOnAbsence(seconds) !== "")).toEqual([false, false, true]);
 });

@@ -18,10 +18,25 @@ export interface HandReading {
   place: readonly [number, number] | null;
   /** Where the other hand is, the same. */
   other: readonly [number, number] | null;
+  /** Whether the fingers of the playing hand point left in a mirror; null where it is not seen. */
+  leftward: boolean | null;
   /** Whether it has been turned to the lens, or from it, for some seconds. */
   turned: boolean;
+  /** Seconds for which it has not been seen, 0 where it is. */
+  away: number;
 }
 
+/** Seconds without a hand after which somebody is told what to do. */
+const LONG_AWAY = 3;
+
+/** What is to be done where no hand has been seen for so many seconds; "" where that is not long. */
+export const adviseOnAbsence = (away: number): string =>
+  away < LONG_AWAY
+    ? ""
+    : "Hold the whole hand, wrist too, in the middle of the picture, in profile, an arm's length from the camera. If it is there: more light from the front, a plain background, nothing else that is skin.";
+
+/** The point of a hand at which its middle finger begins. */
+const KNUCKLE = 9;
 /** Radians between the palms' widths at which a hand counts as turned: its opening is then read with r .83 in place of .97. */
 export const TURNED = (20 * Math.PI) / 180;
 /** Seconds in which a lasting turn counts; the turns of play come and go. */
@@ -40,6 +55,8 @@ const apart = (a: Place, b: Place): number => Math.hypot(a[0] - b[0], a[1] - b[1
 export class HandTracker {
   #place: Place | null = null;
   #seen = Number.NEGATIVE_INFINITY;
+  /** When it was seen last, or else the first picture came. */
+  #here = Number.NaN;
   #turn = 0;
   #turnTime = Number.NaN;
   readonly #filter = new OneEuroFilter();
@@ -53,14 +70,17 @@ export class HandTracker {
     const playing = this.#choose(hands.hands, time);
     const hand = hands.hands[playing];
     if (hand !== undefined) [this.#place, this.#seen] = [wristOf(hand), time];
+    if (hand !== undefined || Number.isNaN(this.#here)) this.#here = time;
     const other = hands.hands.find((_, place) => place !== playing);
     return {
       time,
       playing,
       axes: hand === undefined ? null : this.#axes(hand, hands, time),
       place: hand === undefined ? null : mirrored(wristOf(hand)),
+      leftward: hand === undefined ? null : (hand.image[3 * KNUCKLE] ?? 0) > (hand.image[0] ?? 0),
       other: other === undefined || playing < 0 ? null : this.#point(other, time),
       turned: hand !== undefined && this.#turn > TURNED,
+      away: time - this.#here,
     };
   }
 

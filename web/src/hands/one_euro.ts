@@ -1,10 +1,11 @@
 /**
  * The One-Euro filter: what is still is held still, what moves fast follows at once.
- * Source: G. Casiez, N. Roussel, D. Vogel, 1 Euro Filter, CHI 2012.
+ * Source: G. Casiez, N. Roussel, D. Vogel, 1 Euro Filter, CHI 2012; the cut-off grows by the square of the speed here,
+ * which parts the tremble of a hand at rest from speech better.
  */
 
-/** Cut-off at rest, Hz; Hz more for each unit a second; cut-off of the speed, Hz: at rest .015 of an opening is left, without a picture of lag. */
-const [CALM, LIVELY, SLOPE] = [2, 5, 1];
+/** Cut-off at rest, Hz; Hz more for a unit a second, by its square; cut-off of the speed, Hz. */
+const [CALM, LIVELY, SLOPE] = [2, 5, 2];
 /** Seconds; after more it begins anew. */
 const LONGEST_GAP = 0.5;
 
@@ -33,7 +34,7 @@ export class OneEuroFilter {
       return speed + share(SLOPE, gap) * (now - speed);
     });
     this.#values = this.#values.map((value, place) => {
-      const cutOff = CALM + LIVELY * Math.abs(this.#speeds[place] ?? 0);
+      const cutOff = CALM + LIVELY * (this.#speeds[place] ?? 0) ** 2;
       return value + share(cutOff, gap) * ((values[place] ?? 0) - value);
     });
     return this.#values;
