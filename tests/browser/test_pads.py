@@ -254,3 +254,34 @@ def test_nothing_of_the_page_of_one_person_is_cut_off(
         beside = other["x"] >= picture["x"] + picture["width"] or picture["x"] >= other["x"] + other["width"]
         below = other["y"] >= picture["y"] + picture["height"] or picture["y"] >= other["y"] + other["height"]
         assert beside or below
+
+
+def test_a_phone_on_its_side_reaches_every_part_and_says_what_a_panic_has_stopped(open_page: OpenPage) -> None:
+    page = open_page("/solo", pictures=False, width=844, height=390, has_touch=True)
+    wait_until(
+        page, f"document.querySelector('omote-solo')?.store.state && {SOLO}.newest('pad_list') && {SOLO}.manifest"
+    )
+    page.evaluate(f"{SOLO}.ask({{ type: 'set_motion', character: 'one', liveliness: 0.4 }})")
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
+    page.keyboard.press("Shift+Backspace")
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0")
+    expect(page.get_by_role("status")).to_contain_text("Stopped by panic: liveliness of One.")
+    expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "true")
+    for row, part in (("lines", "omote-clip-tiles"), ("head", "omote-pad .field"), ("looks", "omote-memories")):
+        page.locator(f"[data-row={row}]").click()
+        expect(page.locator(part)).to_be_visible()
+        assert page.evaluate(CUT, "omote-solo") == []
+    page.get_by_role("button", name="Sources on again").click()
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
+    expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "false")
+
+
+def test_no_key_lies_on_the_picture_while_pads_are_open(open_page: OpenPage) -> None:
+    page = console(open_page)
+    for width, height in ((1440, 900), (1280, 800), (1024, 768)):
+        page.set_viewport_size({"width": width, "height": height})
+        picture, keys = (page.locator(name).bounding_box() for name in ("omote-monitor", "omote-characters"))
+        assert picture
+        assert keys
+        assert picture["y"] + picture["height"] <= keys["y"] + 1
+        assert picture["height"] > 120

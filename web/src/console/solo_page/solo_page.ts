@@ -14,6 +14,7 @@ import type { BlendPad } from "../pads/blend_pad";
 import { padsOf } from "../pads/pad_commands";
 import type { Monitor } from "../panels/monitor";
 import { offersStyle, viewOffers } from "../panels/offers";
+import { passNotices, saidNow } from "../panels/said";
 import type { MemoryRow } from "../scene/memory_row";
 import { SOLO_PARTS, type SoloPart } from "../store/arrangement";
 import { isPanic, stepOf } from "../store/keys";
@@ -40,6 +41,7 @@ const PART_LABELS: Readonly<Record<SoloPart, string>> = {
   lines: "Lines: clips of the show",
   head: "Pad of the head",
 };
+const ROW_LABELS: Readonly<Record<SoloPart, string>> = { looks: "Looks", lines: "Lines", head: "Head" };
 const SIDES = ["left", "right"] as const;
 
 @customElement("omote-solo")
@@ -49,6 +51,8 @@ export class SoloPage extends ConsoleElement {
   @state() private learning = false;
   /** What the page shows is chosen. */
   @state() private choosing = false;
+  /** What was chosen to stand below the face, where one part has room there. */
+  @state() private row: SoloPart = "looks";
   @query("omote-monitor") private monitor!: Monitor;
   @query("omote-memories") private memories!: MemoryRow | null;
   #places = NO_PLACES;
@@ -69,6 +73,7 @@ export class SoloPage extends ConsoleElement {
 
   constructor() {
     super();
+    passNotices(this, () => this.store);
     whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
     const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
@@ -93,12 +98,13 @@ export class SoloPage extends ConsoleElement {
     this.classList.toggle("lost", !store.online);
     this.classList.toggle("preview", store.bus === "preview");
     for (const part of SOLO_PARTS) this.toggleAttribute(part, solo[part]);
+    this.dataset.row = this.#row ?? "";
     return html`${this.#header()}
       ${solo.lines ? html`<section class="lines panel live" aria-label="Lines"><omote-clip-tiles .context=${context}></omote-clip-tiles></section>` : nothing}
       <section class="face panel" aria-label="On air"><omote-monitor bare .context=${context}></omote-monitor></section>
       <omote-next-cue class="panel live" .cues=${this.cues}></omote-next-cue>
       ${SIDES.map((side, at) => this.#pad(side, at))}
-      ${solo.head ? html`<omote-pad class="head panel live" .context=${context} .what=${"head"}></omote-pad>` : nothing}
+      ${solo.head ? html`<omote-pad low class="head panel live" .context=${context} .what=${"head"}></omote-pad>` : nothing}
       ${solo.looks ? html`<omote-memories class="panel live" .context=${context}></omote-memories>` : nothing}
       <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
@@ -109,12 +115,13 @@ export class SoloPage extends ConsoleElement {
   #header() {
     const { store } = this;
     const panic = pressed(() => store.panic());
-    const said = store.notice;
+    const { text, tone, offers, dismiss } = saidNow(this.context);
     return html`<header><div class="bar panel"><h1>SOLO</h1>
         ${this.#characters()}<span class="air ${store.goesBlack ? "black" : ""}">${this.#airWords}</span>
         <omote-record-light .context=${this.context}></omote-record-light>
         ${store.online ? nothing : html`<span class="lost-link" role="alert">LINK LOST</span>`}
-        <span class="notice ${store.tone} ${said === null ? "none" : ""}" role="status">${said ?? ""} ${viewOffers(said === null ? this.#back : [...store.offers, ...this.#back], () => store.say(null))}</span>
+        <span class="notice ${tone} ${text === null ? "none" : ""}" role="status"><span title=${text ?? ""}>${text ?? ""}</span>${viewOffers(offers, dismiss)}</span>
+        ${this.#rows()}
         <omote-liveliness class="live" .context=${this.context}></omote-liveliness>
         <button class="black live" aria-pressed=${store.goesBlack} title="Fade all stages to black; again: up (Shift B)" @click=${() => store.callBlack()}>Black</button>
         <button class="show" aria-expanded=${this.choosing} title="What this page shows" @click=${() => (this.choosing = !this.choosing)}>Show ▾</button>
@@ -123,9 +130,19 @@ export class SoloPage extends ConsoleElement {
       </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button></header>`;
   }
 
-  /** The ways back from a panic. */
-  get #back() {
-    return this.context.panicReturn.question?.offers ?? [];
+  /** What is shown below the face of a phone on its side, where there is room for one: looks, lines or the head. */
+  #rows() {
+    const chosen = SOLO_PARTS.filter((part) => this.store.arrangement.solo[part]);
+    return html`<span class="rows" role="group" aria-label="Below the face">${chosen.map(
+      (part) => html`<button data-row=${part} aria-pressed=${part === this.#row} title=${PART_LABELS[part]}
+        @click=${() => (this.row = part)}>${ROW_LABELS[part]}</button>`,
+    )}</span>`;
+  }
+
+  /** The part that is shown there. */
+  get #row(): SoloPart | undefined {
+    const { solo } = this.store.arrangement;
+    return [this.row, ...SOLO_PARTS].find((part) => solo[part]);
   }
 
   #characters() {
