@@ -33,6 +33,7 @@ import "../pads/blend_pad";
 import "../panels/monitor";
 import "../scene/memory_row";
 import "../../ui/keys_help";
+import "./black_key";
 import "./liveliness";
 import "./next_cue";
 
@@ -108,7 +109,6 @@ export class SoloPage extends ConsoleElement {
       ${solo.looks ? html`<omote-memories class="panel live" .context=${context}></omote-memories>` : nothing}
       <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
-      ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
       ${this.help ? html`<omote-keys-help .keys=${SOLO_KEYS} @close=${() => (this.help = false)}></omote-keys-help>` : nothing}`;
   }
 
@@ -123,11 +123,12 @@ export class SoloPage extends ConsoleElement {
         <span class="notice ${tone} ${text === null ? "none" : ""}" role="status"><span title=${text ?? ""}>${text ?? ""}</span>${viewOffers(offers, dismiss)}</span>
         ${this.#rows()}
         <omote-liveliness class="live" .context=${this.context}></omote-liveliness>
-        <button class="black live" aria-pressed=${store.goesBlack} title="Fade all stages to black; again: up (Shift B)" @click=${() => store.callBlack()}>Black</button>
+        <omote-black-key class="live" .context=${this.context}></omote-black-key>
         <button class="show" aria-expanded=${this.choosing} title="What this page shows" @click=${() => (this.choosing = !this.choosing)}>Show ▾</button>
         <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => (this.help = true)}>?</button>
         ${this.choosing ? this.#choice() : nothing}
-      </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button></header>`;
+      </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button>
+      ${this.learning ? html`<omote-learn-mode inline .context=${this.context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}</header>`;
   }
 
   /** What is shown below the face of a phone on its side, where there is room for one: looks, lines or the head. */

@@ -45,6 +45,9 @@ export const soloPageStyle = css`
     gap: 6px;
     min-width: 0;
   }
+  omote-learn-mode {
+    grid-column: 1 / -1;
+  }
   .bar {
     ${flow}
     gap: 4px 8px;
