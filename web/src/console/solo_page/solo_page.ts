@@ -20,6 +20,7 @@ import { SOLO_PARTS, type SoloPart } from "../store/arrangement";
 import { isPanic, stepOf } from "../store/keys";
 import type { Topic } from "../store/page_store";
 import { toggleStill } from "../store/stillness";
+import { HEARD_MS } from "../store/unheard_panic";
 import { NO_PLACES, placesAfter, withChosen } from "./pad_places";
 import { SOLO_KEYS, type SoloCommand, soloCommandOf } from "./solo_keys";
 import { soloPageStyle } from "./solo_page_style";
@@ -81,6 +82,12 @@ export class SoloPage extends ConsoleElement {
     hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
   }
 
+  /** A panic that nobody hears is said after a while. */
+  protected override changed(topic: Topic): void {
+    super.changed(topic);
+    if (topic === "panic") setTimeout(() => this.requestUpdate(), HEARD_MS);
+  }
+
   /** Gives the picture the cast to draw. */
   async open(library: Library): Promise<void> {
     await this.updateComplete;
@@ -127,8 +134,15 @@ export class SoloPage extends ConsoleElement {
         <button class="show" aria-expanded=${this.choosing} title="What this page shows" @click=${() => (this.choosing = !this.choosing)}>Show ▾</button>
         <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => (this.help = true)}>?</button>
         ${this.choosing ? this.#choice() : nothing}
-      </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button>
+      </div><button class="panic live ${store.air?.home_next ? "again" : ""}" title="${store.air?.home_next ? "Panic again: the home face" : "Panic"} (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>${this.#panicWord}</button>
       ${this.learning ? html`<omote-learn-mode inline .context=${this.context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}</header>`;
+  }
+
+  /** What panic does now: its second press brings the home face, and one that nobody has heard says so. */
+  get #panicWord(): string {
+    const { online, panicIsLate, air } = this.store;
+    if (!online || panicIsLate) return "NOT HEARD";
+    return air?.home_next ? "HOME FACE" : "PANIC";
   }
 
   /** What is shown below the face of a phone on its side, where there is room for one: looks, lines or the head. */

@@ -128,6 +128,11 @@ export const soloPageStyle = css`
     border-radius: 6px;
     touch-action: none;
   }
+  .panic.again {
+    font-size: 14px;
+    color: #000;
+    background: var(--attention);
+  }
   .panic:active {
     background: #ff4130;
   }
