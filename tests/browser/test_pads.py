@@ -41,9 +41,9 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     yield from playing(tmp_path_factory.mktemp("pads") / "pads.omote")
 
 
-def console(open_page: OpenPage, *, pictures: bool = False) -> Page:
-    """A console that shows its pads."""
-    page = open_page("/console", pictures=pictures)
+def console(open_page: OpenPage, *, pictures: bool = False, **options: bool) -> Page:
+    """A console that shows its pads; options: of its context."""
+    page = open_page("/console", pictures=pictures, **options)
     wait_until(page, f"document.querySelector('omote-console')?.context.store.state && {DESK}.manifest")
     wait_until(page, f"{DESK}.newest('pad_list') && {DESK}.online")
     page.keyboard.press("Shift+H")
@@ -135,6 +135,7 @@ def test_a_point_is_taken_along_and_what_shows_follows_it(open_page: OpenPage) -
     wait_until(page, f"({DESK}.air.expressions.neutral ?? 0) > 0.999 && {DESK}.air.pads.moods.plays")
     page.keyboard.press("Shift+Backspace")
     wait_until(page, f"{DESK}.air.pads.moods === undefined")
+    expect(field(page, "moods").locator(".read")).to_have_text("not playing")
     expect(field(page, "moods").locator(".dot")).to_have_class("carrier dot")
 
 
@@ -254,3 +255,73 @@ def test_nothing_of_the_page_of_one_person_is_cut_off(
         beside = other["x"] >= picture["x"] + picture["width"] or picture["x"] >= other["x"] + other["width"]
         below = other["y"] >= picture["y"] + picture["height"] or picture["y"] >= other["y"] + other["height"]
         assert beside or below
+
+
+def test_a_phone_on_its_side_reaches_every_part_and_says_what_a_panic_has_stopped(open_page: OpenPage) -> None:
+    page = open_page("/solo", pictures=False, width=844, height=390, has_touch=True)
+    wait_until(
+        page, f"document.querySelector('omote-solo')?.store.state && {SOLO}.newest('pad_list') && {SOLO}.manifest"
+    )
+    page.evaluate(f"{SOLO}.ask({{ type: 'set_motion', character: 'one', liveliness: 0.4 }})")
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
+    page.keyboard.press("Shift+Backspace")
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0")
+    expect(page.get_by_role("status")).to_contain_text("Stopped by panic: liveliness of One.")
+    expect(page.locator(".panic")).to_have_text("PANIC")  # the home face shows: a second one brings no other
+    expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "true")
+    for row, part in (("lines", "omote-clip-tiles"), ("head", "omote-pad .field"), ("looks", "omote-memories")):
+        page.locator(f"[data-row={row}]").click()
+        expect(page.locator(part)).to_be_visible()
+        assert page.evaluate(CUT, "omote-solo") == []
+    page.get_by_role("button", name="Sources on again").click()
+    wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
+    expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "false")
+    page.keyboard.press("z")
+    for target in ("/omote/go", "/omote/back", "/omote/black", "/omote/one/pad/mouth"):
+        expect(page.locator(f".spot[data-to='{target}']")).to_be_visible()
+    assert page.evaluate(CUT, "omote-solo") == []
+    bar, picture = (page.get_by_label(name, exact=True).bounding_box() for name in ("Learn", "On air"))
+    assert bar
+    assert picture
+    assert bar["y"] + bar["height"] <= picture["y"]
+
+
+def test_no_key_lies_on_the_picture_while_pads_are_open(open_page: OpenPage) -> None:
+    page = console(open_page)
+    for width, height in ((1440, 900), (1280, 800), (1024, 768)):
+        page.set_viewport_size({"width": width, "height": height})
+        picture, keys = (page.locator(name).bounding_box() for name in ("omote-monitor", "omote-characters"))
+        assert picture
+        assert keys
+        assert picture["y"] + picture["height"] <= keys["y"] + 1
+        assert picture["height"] > 120
+
+
+def test_a_finger_carries_a_tile_onto_a_pad_that_is_edited(open_page: OpenPage) -> None:
+    page = console(open_page, has_touch=True)
+    before = looks(page, "moods")
+    page.get_by_label("Edit moods").click()
+    tools = page.context.new_cdp_session(page)
+
+    def touch(kind: str, *points: tuple[float, float]) -> None:
+        touches = [{"x": x, "y": y} for x, y in points]
+        tools.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+
+    page.locator(".expressions [data-name=kiss]").scroll_into_view_if_needed()
+    tile = page.locator(".expressions [data-name=kiss]").bounding_box()
+    assert tile is not None
+    touch("touchStart", (tile["x"] + 20, tile["y"] + 20))
+    expect(page.locator("body > span", has_text="Kiss")).to_be_visible()  # it is in the hand
+    there = at(page, "moods", 0.8, -0.9)
+    touch("touchMove", (there[0] - 9, there[1]))
+    touch("touchMove", there)
+    touch("touchEnd")
+    wait_until(
+        page, f"{DESK}.newest('pad_list').pads.find(({{name}}) => name === 'moods').looks.length > {len(before)}"
+    )
+    assert looks(page, "moods")["Kiss"] == pytest.approx([0.8, -0.9], abs=0.03)
+    assert page.evaluate(f"{DESK}.air.expression_call") is None, "the tile was not called"
+    page.keyboard.press("Control+z")
+    wait_until(
+        page, f"{DESK}.newest('pad_list').pads.find(({{name}}) => name === 'moods').looks.length === {len(before)}"
+    )

@@ -54,6 +54,16 @@ def test_what_one_console_touches_becomes_the_targets_and_nothing_moves(session:
     assert after.macros["smile"].value == 1.0
 
 
+def test_a_head_that_springs_back_was_touched_and_a_fader_that_is_put_back_was_not(session: ShowSession) -> None:
+    for yaw in (0.1, 0.3, 0.2, 0.0):
+        session.receive("ana", SetHead("one", yaw, -0.2 * yaw, 0.0), 1.0)
+    for weight in (0.7, 0.0):
+        session.receive("ana", SetChannel("one", "jawOpen", weight), 1.0)
+    session.receive("ana", FinishMapping("f"), 1.0)
+    targets = session.scene["one"].mappings["smile"].targets
+    assert [(target.to, target.high) for target in targets] == [("head/yaw", 0.3), ("head/pitch", -0.2 * 0.3)]
+
+
 def test_consoles_are_told_what_is_learned(session: ShowSession) -> None:
     def told() -> MappingLearned | None:
         news = [each.message for each in session.hands_now(0.0) if isinstance(each.message, MappingLearned)]

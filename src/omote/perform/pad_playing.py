@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
@@ -10,6 +11,7 @@ from omote.perform.axis import Axis, RegionAxes, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import PadStatus, with_fields
+from omote.perform.mappings.renamed_pads import mappings_after_rename
 from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
 from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS, TAKE_UP_SECONDS
 
@@ -64,6 +66,8 @@ class PadPlaying(CalledMix):
     def wear_pads(self, pads: Mapping[str, Pad], renamed: Mapping[str, str] | None = None) -> None:
         """Goes on with other pads: what they play follows them; what a pad has played that is gone stays as it is.
 
+        Macros that move a pad follow it to another name.
+
         Parameters
         ----------
         pads : mapping of Pad
@@ -83,10 +87,14 @@ class PadPlaying(CalledMix):
         ({'joy': 1.0}, {})
         """
         self._pads = pads
+        names = renamed or {}
+        if names:
+            mappings = mappings_after_rename(self._now.mappings, names)
+            macros = replace(self._now.macros)  # another one, so that what it gives is told by the new names
+            self._now = with_fields(self._now, mappings=mappings, macros=macros)
         now = self._now
         if not now.pads:
             return
-        names = renamed or {}
         places = {names.get(name, name): place for name, place in now.pads.items()}
 
         def worn(where: str, on: Axis) -> Axis:

@@ -93,6 +93,7 @@ class Session(Protocol):
     clips: Any
     wishes: list[Any]
     lost: list[str]
+    renamed_pads: list[tuple[str, str]]
     learning: Any
     setups: set[str]
     recorder: Any

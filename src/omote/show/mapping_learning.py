@@ -23,10 +23,17 @@ MOVED = 1e-4
 
 @dataclass(frozen=True)
 class Touched:
-    """A target that was moved: its value before, and where it was left last."""
+    """A target that was moved: its value before, where it was left last, and where it was farthest from before."""
 
     before: float
     now: float
+    farthest: float
+
+    def left_at(self, to: str) -> float:
+        """Where it counts as left: a head and a gaze that are where they were before have been brought back by the
+        springs of a pad, and count as left where they were farthest. to: the target."""
+        springs = to.partition("/")[0] in (HEAD, GAZE) and abs(self.now - self.before) <= MOVED
+        return self.farthest if springs else self.now
 
 
 @dataclass(frozen=True)
@@ -91,9 +98,10 @@ class MappingLearning:
         for to, value in self.positions(message).items():
             known = touched.get(to)
             if known is not None:
-                touched[to] = replace(known, now=value)
+                farther = abs(value - known.before) > abs(known.farthest - known.before)
+                touched[to] = replace(known, now=value, farthest=value if farther else known.farthest)
             elif abs(value - before[to]) > MOVED and len(touched) < MOST_TARGETS:
-                touched[to] = Touched(before[to], value)
+                touched[to] = Touched(before[to], value, value)
         self._learner = replace(learner, touched=touched, until=now + LEARNS_SECONDS)
 
     def end(self, *, keeps: bool) -> tuple[str, list[ClientMessage]]:
@@ -137,9 +145,9 @@ class MappingLearning:
 def mapping_of(learner: Learner) -> MacroMapping | None:
     """The mapping of what was touched: each target from where it was to where it was left; None of nothing."""
     targets = tuple(
-        MacroTarget(to, 0.0, fitted(to, each.now - each.before))
+        MacroTarget(to, 0.0, fitted(to, each.left_at(to) - each.before))
         for to, each in learner.touched.items()
-        if abs(each.now - each.before) > MOVED
+        if abs(each.left_at(to) - each.before) > MOVED
     )
     return MacroMapping(learner.name, targets) if targets else None
 

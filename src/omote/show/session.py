@@ -131,6 +131,7 @@ class ShowSession:
         self.plays_preview = True
         """Not in a replay: what a take and a record read of the preview stands before them in the recording."""
         self.lost: list[str] = []
+        self.renamed_pads: list[tuple[str, str]] = []
         self.clips = ShowClips(
             lambda: self.scene,
             lambda: self.cast,
@@ -350,6 +351,12 @@ class ShowSession:
         lost = self.lost
         self.lost = []
         return lost
+
+    def take_renamed_pads(self) -> list[tuple[str, str]]:
+        """Returns and clears what pads were called and are called now, for what names them outside of the session."""
+        renamed = self.renamed_pads
+        self.renamed_pads = []
+        return renamed
 
     def recast(self, cast: Playable) -> CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on

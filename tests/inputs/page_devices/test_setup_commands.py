@@ -8,9 +8,11 @@ import pytest
 
 from omote.inputs.page_devices.setup_commands import SetupCommands
 from omote.perform.mappings.mapping import MacroMapping, MacroTarget
-from omote.show.objects.bindings import Bind, BindingDocument, BindingList
+from omote.perform.pads.blend_space import PadLook
+from omote.show.objects.bindings import Bind, BindingDocument, BindingList, RestoreBindings, Unbind
 from omote.show.objects.devices import MidiBytes, Plug
 from omote.show.objects.hand.macros import DropMapping, MoveMacro, SetMapping
+from omote.show.objects.hand.pads import DropPad, RenamePad, RestorePad, SetPad
 from omote.show.objects.hand.setups import CallSetup, DropSetup, KeepSetup, RestoreSetup, SetupChanged, SetupList
 from omote.show.objects.link import Refused
 from tests.inputs.page_devices.device_room import Room
@@ -116,3 +118,38 @@ def test_who_is_not_there_is_named_and_what_there_is_not_is_refused(room: Room) 
         (answer,) = room.session.receive("a", message, room.now)
         assert isinstance(answer.message, Refused)
         assert "there is no set-up 'left' in this show" in answer.message.reason
+
+
+def test_bindings_and_set_ups_follow_a_pad_to_its_new_name_while_a_control_is_held(room: Room) -> None:
+    looks = [PadLook("Rest", {"neutral": 1.0}, (-1.0,)), PadLook("Jaw", {"jawOpen": 1.0}, (1.0,))]
+    session = room.session
+    session.receive("a", SetPad("p1", "lips", "mouth", 1, looks), room.now)
+    stick = BindingDocument(PAD, "1/cc8", "/omote/one/pad/lips", "x", low=-1.0, high=1.0, pick_up=False)
+    room.say("a", Bind("b3", stick))
+    room.say("a", KeepSetup("k3", "pads"))
+    room.say("a", Unbind("u1", stick))
+    room.say("a", RestoreBindings("r0", "u1"))
+
+    def addresses() -> list[str]:
+        return [each.target.path for each in room.playing.bindings.bindings if each.target.pad]
+
+    dial(room, 8, 127)
+    session.receive("a", RenamePad("p2", "lips", "snout", "k"), room.now)
+    told = room.told(BindingList, room.tick())["b"]
+    assert addresses() == ["/omote/one/pad/snout"]
+    assert [each for each in told.missing if each] == []
+    dial(room, 8, 0)
+    room.tick()
+    assert session.tick(room.now).characters["one"].pads["snout"].place == [-1.0], "who holds it plays on"
+    assert b"/pad/snout" in (room.kept_setups["pads"] or b"")
+    room.say("a", CallSetup("c5", "pads"))
+    assert addresses() == ["/omote/one/pad/snout"]
+    room.say("a", RestoreBindings("r1", "u1"))
+    session.receive("a", RestorePad("p3", "k"), room.now)
+    room.tick()
+    assert addresses() == ["/omote/one/pad/lips"]
+
+    session.receive("a", DropPad("p4", "lips"), room.now)
+    told = room.told(BindingList, room.tick())["b"]
+    assert [each.split(";")[0] for each in told.missing if each] == ["there is no pad 'lips'"]
+    assert session.take_lost() == ["the pad lips is gone, and these move it, which does nothing now: 1/cc8 of my pad."]

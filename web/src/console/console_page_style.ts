@@ -117,6 +117,19 @@ export const style = css`
       grid-template-rows: 50px minmax(0, 1fr) auto minmax(280px, 43%);
     }
   }
+  @media (min-width: 900px) {
+    /* the picture is low then, and keys over it would lie on the face */
+    :host([data-view="blend_pads"]) .air omote-characters {
+      grid-row: 3;
+      grid-column: 1 / -1;
+      margin-left: 0;
+    }
+  }
+  @media (min-width: 900px) and (max-height: 899px) {
+    :host([data-view="blend_pads"]) .mixes {
+      --lists: none; /* their room is the picture's; the T-bars name both ends */
+    }
+  }
   .views {
     grid-area: views;
     display: none;

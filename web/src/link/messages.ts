@@ -818,13 +818,16 @@ export type SetPad = {
   key?: string;
 };
 
-/** Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues. */
+/**
+ * Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues,
+ * and macros, bindings and set-ups.
+ */
 export type RenamePad = { type: "rename_pad"; id: string; name: string; to: string; key?: string };
 
 /** Keeps a copy of a pad under another name (`to`). */
 export type CopyPad = { type: "copy_pad"; id: string; name: string; to: string; key?: string };
 
-/** Forgets a pad; what it shows stays on air. A notice names the cues that move it. */
+/** Forgets a pad; what it shows stays on air. A notice names the cues, macros and bindings that move it. */
 export type DropPad = { type: "drop_pad"; id: string; name: string; key?: string };
 
 /**

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { listenToKeys } from "./key_presses";
+import { listenToKeys, openLayer } from "./key_presses";
 
 /** As much of an element as keys ask for. */
 class FakeElement extends EventTarget {
@@ -80,5 +80,25 @@ describe("Escape in a field", () => {
     field.addEventListener("input", () => expect.unreachable());
     page.dispatchEvent(new FakeKey("Escape", field));
     expect(field.blurred).toBe(true);
+  });
+});
+
+describe("a key that a dialog hears", () => {
+  const field = new EventTarget();
+  const heard: string[] = [];
+  const press = (target: EventTarget, key: string): void => void page.dispatchEvent(new FakeKey(key, target));
+
+  it("comes to it wherever the focus is, but never out of a field, and to nobody else", () => {
+    const element = new FakeElement() as unknown as HTMLElement;
+    const hears = ({ key }: KeyboardEvent): boolean => key === "z" && heard.push(key) > 0;
+    const end = openLayer({ element, kind: "dialog", close: () => undefined, hears });
+    press(field, "z");
+    press(element, "z");
+    press(new FakeInput("text", ""), "z");
+    press(element, "x");
+    expect(heard).toEqual(["z", "z"]);
+    end();
+    press(field, "z");
+    expect(heard).toHaveLength(2);
   });
 });

@@ -11,6 +11,8 @@ export interface KeyLayer {
   readonly element: HTMLElement;
   readonly kind: "dialog" | "menu" | "form";
   close(): void;
+  /** A key that it hears wherever the focus is but in a field; true where it was that key. */
+  hears?(event: KeyboardEvent): boolean;
 }
 
 export type KeyOwner = "layer" | "field" | "page";
@@ -39,8 +41,9 @@ export function layerWhileShown(
   host: HTMLElement & ReactiveControllerHost,
   kind: KeyLayer["kind"],
   close: () => void,
+  hears: KeyLayer["hears"] = () => false,
 ): void {
-  whileShown(host, () => openLayer({ element: host, kind, close }));
+  whileShown(host, () => openLayer({ element: host, kind, close, hears }));
 }
 
 /** True while a key press belongs to a field for text, numbers or a choice. */
@@ -109,7 +112,8 @@ function claim(event: KeyboardEvent, use: KeyUse): void {
   if (event.key === "Escape") {
     stop(event);
     layer.close();
-  } else if (!event.composedPath().includes(layer.element)) withhold(event, layer);
+  } else if (!isTyping(event) && layer.hears?.(event) === true) stop(event);
+  else if (!event.composedPath().includes(layer.element)) withhold(event, layer);
   else if (event.key === "Tab" && layer.kind === "dialog") goRound(event, layer);
 }
 

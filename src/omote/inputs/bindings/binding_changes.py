@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from omote.inputs.bindings.binding_file import MOST_BINDINGS
-from omote.inputs.bindings.control_binding import Binding
+from omote.inputs.bindings.control_binding import Binding, binding_after_rename
 
 REMEMBERED_CHANGES = 128
 
@@ -73,6 +73,22 @@ class EditableBindings:
         wanted = tuple(binding for binding in bindings if (binding.device, binding.control) not in taken)
         gone = tuple(binding for binding in self.own if binding not in wanted)
         return self._make(change, BindingChange(tuple(each for each in wanted if each not in self.own), gone))
+
+    def rename_pad(self, pad: str, to: str) -> bool:
+        """Has own bindings follow a pad to another name, and what of them can be taken back; whether one does.
+
+        pad: its name before; to: its name now.
+        """
+
+        def later(bindings: tuple[Binding, ...]) -> tuple[Binding, ...]:
+            return tuple(dict.fromkeys(binding_after_rename(binding, pad, to) for binding in bindings))
+
+        before = self.own
+        self.own = later(before)
+        self._changes = {
+            key: BindingChange(later(change.added), later(change.removed)) for key, change in self._changes.items()
+        }
+        return self.own != before
 
     def restore(self, change: str, earlier: str) -> BindingChange:
         """Takes an earlier change back, as far as it still stands; ValueError where it is not remembered."""

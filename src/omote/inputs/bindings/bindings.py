@@ -7,7 +7,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from omote.inputs.bindings.control_binding import MIDDLE, Binding
+from omote.inputs.bindings.control_binding import MIDDLE, Binding, binding_after_rename
 from omote.inputs.character_patterns import characters_meant
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.inputs.reading import Reading
@@ -70,9 +70,15 @@ class Bindings:
         self._sent: dict[str, tuple[int, tuple[Argument, ...]]] = {}
         self.replace(bindings)
 
-    def replace(self, bindings: Sequence[Binding]) -> None:
-        """Plays other bindings from now on; those that stay go on as they were."""
-        before = dict(zip(self.bindings, self._played, strict=True))
+    def replace(self, bindings: Sequence[Binding], renamed: tuple[str, str] | None = None) -> None:
+        """Plays other bindings from now on; those that stay go on as they were.
+
+        renamed: what a pad was called that they move, and what it is called now.
+        """
+        was = self.bindings
+        if renamed is not None:
+            was = tuple(binding_after_rename(binding, *renamed) for binding in was)
+        before = dict(zip(was, self._played, strict=True))
         self.bindings = tuple(bindings)
         self._played = [before.get(binding) or _Played() for binding in self.bindings]
         self._faders = [_fader_of(binding) if self._is_fader(binding) else None for binding in self.bindings]

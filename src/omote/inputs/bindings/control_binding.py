@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 from omote.inputs.bindings.target import BoundTarget
 from omote.inputs.osc_hands import HAND_AXES
+from omote.show.objects.bindings import address_after_rename
 
 Button = Literal["momentary", "toggle"]
 Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
@@ -108,3 +109,12 @@ class Binding:
     def steps(self, position: float) -> int:
         """How many steps an encoder was turned, from what its control reads."""
         return STEPS[self.relative](round(position * HIGHEST_BYTE)) if self.relative else 0
+
+
+def binding_after_rename(binding: Binding, pad: str, to: str) -> Binding:
+    """A binding that moves the point of a pad under its new name; any other as it is.
+
+    binding: as it is; pad: the name before; to: the name now.
+    """
+    path = address_after_rename(binding.target.path, pad, to)
+    return binding if path == binding.target.path else replace(binding, target=replace(binding.target, path=path))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from omote.inputs.osc_addresses import find_address
 from omote.inputs.osc_packet import Argument
+from omote.show.objects.bindings import pad_of
 from omote.show.osc import Value
 
 BANK = "bank:"
@@ -41,6 +42,11 @@ class BoundTarget:
     def bank(self) -> str | None:
         """The bank that it turns to, None where it plays."""
         return self.path.removeprefix(BANK) if self.path.startswith(BANK) else None
+
+    @property
+    def pad(self) -> str:
+        """The pad whose point it moves, as its address has the name; "" for none."""
+        return pad_of(self.path)
 
     @property
     def is_macro(self) -> bool:

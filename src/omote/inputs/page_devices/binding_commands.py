@@ -18,6 +18,8 @@ from omote.inputs.page_devices.learning import Learning
 from omote.inputs.presets.preset import Preset
 from omote.inputs.presets.preset_list import PRESETS, find_preset, preset_for
 from omote.inputs.reading import Reading
+from omote.perform.pad_playing import NO_PADS
+from omote.perform.pads.blend_space import Pad
 from omote.perform.scene.character_names import ALL
 from omote.show.objects.bindings import (
     Bind,
@@ -60,6 +62,7 @@ class BindingCommands:
         self.missing: list[str] = []
         self._loaded: list[BindingsChanged] = []
         self._reader: OrderReader | None = None
+        self._pads = NO_PADS
         self.number = 0
         playing.replace(editable.playing)
 
@@ -90,12 +93,27 @@ class BindingCommands:
         """Takes an earlier change back; ValueError where it is not remembered. change: the id of this one."""
         return self._changed(change, self.editable.restore(change, earlier))
 
-    def know_names(self, reader: OrderReader) -> None:
-        """Looks anew which bindings name what is not there. reader: of the cast and the characters of the show."""
+    def know_names(self, reader: OrderReader, pads: Mapping[str, Pad] = NO_PADS) -> None:
+        """Looks anew which bindings name what is not there. reader: of the cast and the characters of the show; pads:
+        those of the show, by name."""
         self._reader = reader
-        if self.missing != (missing := list_missing(self.editable.playing, reader)):
+        self._pads = pads
+        if self.missing != (missing := list_missing(self.editable.playing, reader, pads)):
             self.missing = missing
             self.number += 1
+
+    def rename_pad(self, pad: str, to: str) -> None:
+        """Has bindings follow a pad to another name; controls that are held play on.
+
+        pad: its name before; to: its name now.
+        """
+        if self.editable.rename_pad(pad, to):
+            self._use((pad, to))
+
+    def who_plays_pad(self, pad: str) -> list[str]:
+        """The controls that move a pad (by its name), in words."""
+        moving = (binding for binding in self.editable.playing if binding.target.pad == pad)
+        return [*dict.fromkeys(f"{binding.control} of {binding.device}" for binding in moving)]
 
     def greet(self, device: str, kind: str) -> Preset | None:
         """The preset of a device that is plugged in: the one that it was given; at its first time, where nothing is
@@ -161,12 +179,16 @@ class BindingCommands:
         )
 
     def _changed(self, change: str, outcome: BindingChange) -> BindingsChanged:
-        self.number += 1
-        self._playing.replace(self.editable.playing)
-        if self._reader is not None:
-            self.missing = list_missing(self.editable.playing, self._reader)
-        self._keep(encode_stored(self.editable.own, self.presets))
+        self._use()
         return BindingsChanged(change, _documents(outcome.added), _documents(outcome.removed))
+
+    def _use(self, renamed: tuple[str, str] | None = None) -> None:
+        """Plays and keeps the bindings that there are now. renamed: as of `Bindings.replace`."""
+        self.number += 1
+        self._playing.replace(self.editable.playing, renamed)
+        if self._reader is not None:
+            self.missing = list_missing(self.editable.playing, self._reader, self._pads)
+        self._keep(encode_stored(self.editable.own, self.presets))
 
 
 def _documents(bindings: tuple[Binding, ...]) -> list[BindingDocument]:

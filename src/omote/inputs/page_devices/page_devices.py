@@ -20,6 +20,7 @@ from omote.inputs.page_devices.setup_commands import SetupCommands
 from omote.inputs.reading import Reading
 from omote.inputs.show_control_orders import is_meant, read_show_control
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
+from omote.perform.pad_playing import NO_PADS
 from omote.show.declaration import DeviceMessage, Outgoing
 from omote.show.objects.bindings import Bind, ChooseBank, Learn, LoadPreset, RestoreBindings, SourceKind, Unbind
 from omote.show.objects.devices import (
@@ -34,6 +35,7 @@ from omote.show.objects.devices import (
     Unplug,
     WatchDevices,
 )
+from omote.show.objects.hand.pads import said_of_gone
 from omote.show.objects.hand.setups import SetupMessage
 from omote.show.objects.link import Refused
 from omote.show.objects.state import State
@@ -112,6 +114,7 @@ class PageDevices:
         self._setups_told: dict[str, int] = {}
         self._plugs = self._ticks = 0
         self._reader: OrderReader | None = None
+        self._pads = NO_PADS
         bindings.osc.seat_of = self._seat_of
 
     def receive(self, who: str, message: DeviceMessage, now: float) -> list[Outgoing]:
@@ -190,9 +193,20 @@ class PageDevices:
     def _know_names(self) -> None:
         session = self._session()
         characters = session.scene.labels
-        if self._reader is None or not self._reader.fits(session.cast, characters):
+        pads = session.scene.pads
+        for pad, to in session.take_renamed_pads():
+            self._commands.rename_pad(pad, to)
+            self._setups.rename_pad(pad, to)
+        fits = self._reader is not None and self._reader.fits(session.cast, characters)
+        if fits and pads is self._pads:
+            return
+        for pad in self._pads:
+            if pad not in pads and (needed_by := self._commands.who_plays_pad(pad)):
+                session.lost.append(said_of_gone(pad, needed_by))
+        self._pads = pads
+        if self._reader is None or not fits:
             self._reader = OrderReader(session.cast, characters)
-            self._commands.know_names(self._reader)
+        self._commands.know_names(self._reader, pads)
 
     def _answer(self, who: str, message: DeviceMessage, now: float) -> list[Outgoing]:
         match message:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import msgspec
 
@@ -12,6 +12,7 @@ from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.perform.limits import check_known
 from omote.perform.mappings.mapping import MacroMapping
+from omote.perform.mappings.renamed_pads import mapping_after_rename
 from omote.show.declaration import SPEECH_LIMIT
 from omote.show.objects.documents import read_document as read_stored
 from omote.show.objects.hand.macros import SetMappings
@@ -102,6 +103,29 @@ class SetupCommands:
                     return self._put(change, before.name, before.setup)
                 return self._call(who, change, before.called, before.mappings, before.bindings, now)
         raise ValueError(f"nothing is known of {type(message).__name__}")
+
+    def rename_pad(self, pad: str, to: str) -> None:
+        """Has set-ups follow a pad to another name, and what of them can be taken back.
+
+        pad: its name before; to: its name now.
+        """
+        for name, setup in self._setups.items():
+            later = setup.after_rename(pad, to)
+            if later != setup:
+                self._setups[name] = later
+                self._keep(name, later.encode())
+                self.number += 1
+        for change, before in self._before.items():
+            if isinstance(before, _Called):
+                mappings = {
+                    character: {name: mapping_after_rename(each, pad, to) for name, each in played.items()}
+                    for character, played in before.mappings.items()
+                }
+                self._before[change] = replace(before, mappings=mappings)
+            elif before.setup is not None:
+                self._before[change] = replace(before, setup=before.setup.after_rename(pad, to))
+        if self._called:
+            self._played = self._playing()
 
     def list_now(self) -> SetupList:
         """All set-ups, for pages."""

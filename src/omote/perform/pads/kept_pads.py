@@ -97,6 +97,19 @@ def with_change_back(pads: Pads, key: str) -> tuple[Pads, dict[str, str]]:
     return _changed(pads, {name: pad for name, pad in put.items() if pad is not None}, again, key), renamed
 
 
+def renamed_between(before: Mapping[str, Pad], after: Mapping[str, Pad]) -> dict[str, str]:
+    """What pads were called, with what they are called now: in the same place, and as they were in all else.
+
+    before, after: pads by name.
+    """
+    if len(before) != len(after):
+        return {}
+    pairs = zip(before.values(), after.values(), strict=True)
+    renamed = {was.name: now.name for was, now in pairs if was.name != now.name}
+    same = all(replace(before[name], name=to) == after[to] for name, to in renamed.items())
+    return renamed if same and not renamed.keys() & after.keys() and not before.keys() & {*renamed.values()} else {}
+
+
 def _changed(pads: Pads, kept: Mapping[str, Pad], change: PadChange, key: str) -> Pads:
     if len(kept) > MOST_PADS and len(kept) > len(pads.kept):
         raise ValueError(f"there are {MOST_PADS} pads, which is as many as a show keeps; delete one")

@@ -277,7 +277,7 @@ class ScenePads(SceneMemories):
         ['moods', 'mouth']
         """
         if first._pads is not self._pads:
-            self._wear_pads(first._pads)
+            self._wear_pads(first._pads, kept_pads.renamed_between(self._pads.kept, first._pads.kept))
 
     def _wear_pads(self, pads: Pads, renamed: Mapping[str, str] | None = None) -> None:
         self._pads = pads

@@ -9,6 +9,7 @@ import msgspec
 
 from omote.show.declaration import CallId, CharacterName, DeviceMessage, Name, ServerMessage
 from omote.show.objects.documents import Document
+from omote.show.osc import ROOT
 
 DeviceName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 ControlName = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
@@ -40,6 +41,22 @@ class BindingDocument(msgspec.Struct, frozen=True):
     step: float = 1.0 / 128.0
     bank: Annotated[str, msgspec.Meta(max_length=80)] = ""
     dead_zone: float = 0.0
+
+
+def pad_of(address: str) -> str:
+    """The pad whose point an address of OSC moves, as it has the name; "" for none."""
+    _, _, path = address.removeprefix(f"/{ROOT}/").partition("/")
+    kind, _, name = path.partition("/")
+    return name if kind == "pad" else ""
+
+
+def address_after_rename(address: str, pad: str, to: str) -> str:
+    """An address that moves a pad under its new name, where it has that exactly as before; any other as it is.
+
+    address: of OSC, with its character; pad: the name before; to: the name now.
+    """
+    name = pad_of(address)
+    return f"{address.removesuffix(name)}{to}" if name == pad else address
 
 
 class BindingMessage(DeviceMessage, frozen=True):

@@ -16,10 +16,13 @@ from omote.inputs.osc_packet import OscMessage
 from omote.inputs.oscquery_tree import build_addresses, find_node
 from omote.inputs.reading import Reading
 from omote.model.cast import Cast
+from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.perform.pads.blend_space import PadLook
+from omote.perform.scene.scene import Scene
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, Panic
 from omote.show.objects.cues import Go, GoBack, GoToCue, PutCue, PutMove, RedoCues, UndoCues
+from omote.show.objects.hand.macros import DropMapping, MoveMacro, RestoreMapping, SetMapping
 from omote.show.objects.hand.pads import AddCastPads, CopyPad, DropPad, MovePad, PadList, RenamePad, RestorePad, SetPad
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Bus, Hello, Refused
@@ -121,6 +124,43 @@ def test_pads_are_renamed_copied_dropped_and_brought_back(session: ShowSession) 
     assert "lips" in session.scene.pads
     assert reason(session, "ana", RestorePad("6", "nothing")).startswith("there is no change of a pad 'nothing'")
     assert reason(session, "ana", SetPad("7", "x", "mouth", 2, LOOKS[:1])).startswith("the pad x has 1 looks")
+
+
+def test_macros_follow_a_pad_to_its_new_name_and_back_and_one_that_is_gone_is_said(session: ShowSession) -> None:
+    def reached() -> list[str]:
+        return [target.to for each in session.scene["one"].mappings.values() for target in each.targets]
+
+    wide = MacroMapping("wide", (MacroTarget("pad/lips/x"), MacroTarget("channel/jawOpen")))
+    assert reason(session, "ana", SetMapping("one", "m", wide, "m")) == ""
+    assert reason(session, "ana", MoveMacro("one", "wide", 0.5)) == ""
+    session.tick(0.1)
+    before = session.tick(0.5).characters["one"]
+    assert before.pads["lips"].plays
+    assert reason(session, "ana", RenamePad("r", "lips", "snout", "k")) == ""
+    assert reached() == ["pad/snout/x", "channel/jawOpen"]
+    after = session.tick(0.6).characters["one"]
+    assert (after.pads["snout"], after.regions) == (before.pads["lips"], before.regions)
+    assert reason(session, "ana", MoveMacro("one", "wide", 1.0)) == ""
+    session.tick(0.7)
+    assert session.tick(1.5).characters["one"].pads["snout"].place[0] == 1.0
+    assert reason(session, "ana", DropMapping("one", "d", "wide", "d")) == ""
+    assert reason(session, "ana", RestorePad("b", "k")) == ""
+    assert reason(session, "ana", RestoreMapping("one", "e", "d")) == ""
+    assert reached() == ["pad/lips/x", "channel/jawOpen"], "what is taken back has the name of now"
+    assert session.take_renamed_pads() == [("lips", "snout"), ("snout", "lips")]
+    assert reason(session, "ana", DropPad("x", "lips")) == ""
+    assert session.take_lost() == [
+        "the pad lips is gone, and these move it, which does nothing now: the macro wide of One."
+    ]
+
+
+def test_what_a_pad_plays_in_preview_goes_on_under_its_new_name(session: ShowSession) -> None:
+    other = Scene.restored(session.cast, session.scene.snapshot())
+    other.move_pad("one", "lips", 1.0)
+    session.scene.rename_pad("lips", "snout")
+    other.follow_pads(session.scene)
+    assert [*other.advance(0.0).characters["one"].frame.pads] == ["snout"]
+    assert other.advance(0.0).characters["one"].frame.pads["snout"].plays
 
 
 def test_cues_follow_a_pad_to_its_new_name_as_one_edit_and_what_waits_and_stood_too(session: ShowSession) -> None:

@@ -4,17 +4,27 @@ import { css } from "lit";
 import { closeOutside, curtainBelowBar } from "../../ui/dialog_style";
 import { layerWhileShown } from "../../ui/key_presses";
 import { row } from "../../ui/theme";
+import { stepOf } from "../store/keys";
 import { ConsoleElement } from "./console_element";
 
-/** Closed by Escape, by a press beside it or by a button; its `first` element gets the focus. Tells `close`. */
+/**
+ * Closed by Escape, by a press beside it or by a button; its `first` element gets the focus. What was changed in it is
+ * taken back by the keys of the page. Tells `close`.
+ */
 export abstract class ConsoleDialog extends ConsoleElement {
   protected readonly first: string = "button";
 
   constructor() {
     super();
     closeOutside(this, this.close);
-    layerWhileShown(this, "dialog", this.close);
+    layerWhileShown(this, "dialog", this.close, this.#hears);
   }
+
+  readonly #hears = (event: KeyboardEvent): boolean => {
+    const step = stepOf(event);
+    if (step !== null && !event.repeat) this.store[step]();
+    return step !== null;
+  };
 
   override firstUpdated(): void {
     this.renderRoot.querySelector<HTMLElement>(this.first)?.focus();

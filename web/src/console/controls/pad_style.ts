@@ -1,5 +1,31 @@
-import { css } from "lit";
-import { narrow, short } from "./screen_sizes";
+import { type CSSResult, css } from "lit";
+import { low, narrow, short } from "./screen_sizes";
+
+/** Keys right of the field of these pads, where there is no height for them above it. */
+const beside = (pads: CSSResult): CSSResult => css`
+  ${pads} {
+    display: grid;
+    grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 52px;
+  }
+  ${pads} header {
+    grid-area: 1 / 2;
+    flex-direction: column;
+    justify-content: center;
+  }
+  ${pads} header button {
+    width: 100%;
+    padding: 0;
+  }
+  ${pads} h2 {
+    display: none; /* the figure says it */
+  }
+  ${pads} .well {
+    grid-area: 1 / 1;
+  }
+  ${pads} .tilt {
+    grid-area: 2 / 1 / 3 / 3;
+  }
+`;
 
 export const style = css`
   :host {
@@ -168,27 +194,9 @@ export const style = css`
     }
   }
   @media ${narrow} and (max-height: 600px) {
-    :host {
-      display: grid;
-      grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 52px;
-    }
-    header {
-      grid-area: 1 / 2;
-      flex-direction: column;
-      justify-content: center;
-    }
-    header button {
-      width: 100%;
-      padding: 0;
-    }
-    h2 {
-      display: none; /* the figure says it */
-    }
-    .well {
-      grid-area: 1 / 1;
-    }
-    .tilt {
-      grid-area: 2 / 1 / 3 / 3;
-    }
+    ${beside(css`:host`)}
+  }
+  @media (${low}) and (orientation: landscape) {
+    ${beside(css`:host([low])`)}
   }
 `;

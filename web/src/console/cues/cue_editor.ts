@@ -27,6 +27,7 @@ import {
   SCENE_PARTS,
 } from "./goal_text";
 import { missingInMove } from "./missing_names";
+import { pointsOffered } from "./pad_goal";
 
 const style = css`
   :host {
@@ -286,7 +287,7 @@ export class CueEditor extends CueElement {
     if (kind === "framing") return ["*", ...Object.keys(shown?.characters ?? {})];
     if (kind === "look") return this.#looked(part);
     const documents = kind === "face" ? faces : kind === "light" ? lights : expressions;
-    return documents.map(({ name }) => name);
+    return [...documents.map(({ name }) => name), ...pointsOffered(kind, this.cues.pads ?? [])];
   }
 
   /** What the eyes of a character can look at. */

@@ -1,5 +1,6 @@
 /** How a cue moves the point of a pad, as `perform/scene/pad_goals.py` has it: its name behind a word, and its place. */
 
+import type { PadState } from "../../link/messages";
 import { PAD_PARTS, type PadPart } from "../pads/pad_layout";
 
 export type PadPoint = Readonly<{ pad: string; place: readonly number[] }>;
@@ -30,6 +31,12 @@ export const padPointWords = ({ pad, place }: PadPoint): string =>
 /** The same as the text files write it, without brackets: `pad = "moods", x = 0.2, y = -0.5`. */
 export const padPointText = ({ pad, place }: PadPoint): string =>
   [`pad = ${JSON.stringify(pad)}`, ...place.map((at, axis) => `${AXES[axis]} = ${at}`)].join(", ");
+
+/** The points that a part can go to, as the text files write them: each pad that plays it, at each of its looks. */
+export const pointsOffered = (kind: string, pads: readonly PadState[]): readonly string[] =>
+  pads
+    .filter(({ part }) => part === kind)
+    .flatMap(({ name, looks }) => looks.map(({ place }) => padPointText({ pad: name, place })));
 
 /** The point of a pad at what a text says of its axes by name; an Error with a sentence where no pad has such a place. */
 export function pointAt(pad: string, axes: Readonly<Record<string, number>>): PadPoint {

@@ -53,6 +53,10 @@ export const memoryTarget = (name: string, seconds: number): Target => ({
 /** How black all stages are: a fader's, or a key's that makes a blackout. */
 export const BLACK_TARGET: Target = { to: `${ROOT}/black`, axis: "", arguments: [] };
 
+/** GO of the cues, and what takes it back. */
+export const GO_TARGET: Target = { to: `${ROOT}/go`, axis: "", arguments: [] };
+export const BACK_TARGET: Target = { to: `${ROOT}/back`, axis: "", arguments: [] };
+
 /** A call of a face or an expression; without seconds it is by hand. */
 export const callTarget = (who: string, axis: Axis, name: string, seconds: Seconds): Target => ({
   to: `${ROOT}/${who}/${axis}`,

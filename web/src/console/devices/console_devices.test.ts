@@ -66,6 +66,28 @@ it("knows why a binding waits", () => {
   expect(consoleDevices.bindings.map((listed) => consoleDevices.whyMissing(listed))).toEqual(missing);
 });
 
+it("says that a device that plays something was unplugged, and that it is back", () => {
+  const { store, said } = devices();
+  store.receive({
+    type: "binding_list",
+    bindings: [binding("1/cc7")],
+    fixed: [],
+    presets: [],
+    learning: null,
+    missing: [],
+  });
+  const list = (...plugged: [string, boolean][]): void =>
+    store.receive({ type: "devices", devices: plugged.map(([name, on]) => ({ name, plugged: on })) } as never);
+  list(["Dial", false], ["Other", true]);
+  expect(said()).toEqual([]);
+  list(["Dial", true], ["Other", true]);
+  list(["Dial", false], ["Other", false]);
+  list(["Dial", false]);
+  expect(said()).toEqual(["Dial is unplugged: what it played stays as it is."]);
+  list(["Dial", true]);
+  expect(said()).toHaveLength(2);
+});
+
 it("names what it has learned, and stops to learn", () => {
   const { store, sent, consoleDevices, said } = devices();
   const target = channelTarget("one", "jawOpen");

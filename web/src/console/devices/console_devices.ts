@@ -29,6 +29,9 @@ declare module "../controls/console_element" {
 export class ConsoleDevices {
   readonly browser: BrowserDevices;
   #watched = false;
+  #plugged: ReadonlySet<string> = new Set();
+  /** Those that were unplugged since, and have been said. */
+  readonly #gone = new Set<string>();
 
   /** `send` takes a message to the show at once. */
   constructor(
@@ -39,7 +42,10 @@ export class ConsoleDevices {
     this.browser = new BrowserDevices(browser, store, send);
     store.hear("device_bytes", ({ device, data, cue }) => this.browser.receiveBytes(device, data, cue));
     store.hear("bindings_changed", (change) => change.preset !== "" && this.#receivePreset(change));
-    store.hear("devices", ({ devices }) => store.online && this.browser.receive(devices));
+    store.hear("devices", ({ devices }) => {
+      if (store.online) this.browser.receive(devices);
+      this.#notePlugs(devices);
+    });
     store.listen("link", () => this.#relink());
   }
 
@@ -100,6 +106,19 @@ export class ConsoleDevices {
   /** Why a binding waits: it names a face, an expression or a character that is not there; "" where all is. */
   whyMissing(binding: BindingDocument): string {
     return this.store.newest("binding_list")?.missing[this.bindings.indexOf(binding)] ?? "";
+  }
+
+  /** Says which devices that play something have gone, and which of those are back. */
+  #notePlugs(devices: readonly DeviceState[]): void {
+    for (const { name, plugged } of devices) {
+      const plays = this.bindings.some(({ device }) => device === name);
+      if (plugged && this.#gone.delete(name) && plays) this.store.say(`${name} is plugged in again.`, "done");
+      else if (!plugged && this.#plugged.has(name) && plays) {
+        this.#gone.add(name);
+        this.store.say(`${name} is unplugged: what it played stays as it is.`);
+      }
+    }
+    this.#plugged = new Set(devices.filter(({ plugged }) => plugged).map(({ name }) => name));
   }
 
   /** A device came on which nothing was bound, and its preset with it: taken back at the page that has the device. */

@@ -6,6 +6,7 @@ import type { Fader } from "../controls/fader";
 import type { Pad } from "../controls/pad";
 import type { TBar } from "../controls/t_bar";
 import {
+  BACK_TARGET,
   BLACK_TARGET,
   barTarget,
   bindingsByTarget,
@@ -13,6 +14,7 @@ import {
   channelTarget,
   characterOf,
   directionTarget,
+  GO_TARGET,
   layerTarget,
   lightTarget,
   macroTarget,
@@ -83,6 +85,11 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
     "omote-lights": (_, store) => [
       ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
       [".black", () => [BLACK_TARGET]],
+    ],
+    "omote-black-key": () => [["button", () => [BLACK_TARGET]]],
+    "omote-next-cue": () => [
+      [".go", () => [GO_TARGET]],
+      [".back", () => [BACK_TARGET]],
     ],
     "omote-memories": (_, store) => [
       ["[data-memory]", (key) => [memoryTarget(key.dataset.memory ?? "", store.timing.face.seconds)]],

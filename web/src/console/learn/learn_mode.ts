@@ -7,7 +7,7 @@ import { base, flow } from "../../ui/theme";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { narrow } from "../controls/screen_sizes";
-import { labelsOf, panicTarget, type Target, targetKey, targetText, whoOf } from "../devices/binding_target";
+import { GO_TARGET, labelsOf, panicTarget, type Target, targetKey, targetText, whoOf } from "../devices/binding_target";
 import type { ConsoleDevices } from "../devices/console_devices";
 import type { Topic } from "../store/page_store";
 import { type BindableControl, bindingsShown, findControls, seenBox } from "./bindable_controls";
@@ -69,11 +69,15 @@ const style = css`
   .bar .wanted {
     color: var(--attention);
   }
+  /* a row of its page, which covers nothing */
+  :host([inline]) .bar {
+    position: static;
+  }
   @media (max-width: 899px) {
     .bar {
       inset: 62px 96px auto;
     }
-    .bar p {
+    :host(:not([inline])) p {
       flex-basis: 100%;
     }
   }
@@ -90,6 +94,8 @@ const style = css`
 export class LearnMode extends AnimatedElement {
   /** Where the controls are. */
   @property({ attribute: false }) page!: ParentNode;
+  /** Whether its bar has a row of the page, which has GO among its controls. */
+  @property({ type: Boolean, reflect: true }) inline = false;
   @state() private controls: readonly BindableControl[] = [];
   /** What was touched last, and its axes where it has several. */
   @state() private chosen: readonly Target[] = [];
@@ -127,6 +133,7 @@ export class LearnMode extends AnimatedElement {
         <p role="status">${this.#says()}</p>
         ${this.#axes()} ${this.#deletion()}
         <button data-learn="panic" title="A key of a device that is panic" @click=${() => this.#choose([panicTarget(this.#who)])}>Bind panic</button>
+        ${this.inline ? nothing : html`<button data-learn="go" title="A key of a device that is GO of the cues" @click=${() => this.#choose([GO_TARGET])}>Bind GO</button>`}
         <button data-learn="devices" title="All devices and bindings" @click=${() => this.tell("devices")}>Bindings</button>
         <button class="close" @click=${() => this.close()}>Done</button>
       </div>

@@ -173,11 +173,12 @@ export class BlendPad extends PadFieldElement {
       `translate(${(100 * (across(x) - 0.5)).toFixed(3)}%, ${(100 * (0.5 - across(y))).toFixed(3)}%)`,
     );
     write.flag(this.dot, "air", plays);
+    write.flag(this.field, "idle", !plays);
     if (this.depthKnob !== null)
       write.style(this.depthKnob, "transform", `translateY(${(-46 * (place[2] ?? 0)).toFixed(2)}%)`);
     if (this.slider !== null) write.attribute(this.slider, "aria-valuenow", (place[2] ?? 0).toFixed(2));
     const words = this.wordsAt(place);
-    write.text(this.read, plays ? words : "");
+    write.text(this.read, plays ? words : "not playing");
     write.attribute(this.field, "aria-valuenow", x.toFixed(2));
     write.attribute(this.field, "aria-valuetext", plays ? words : `${words}; not playing`);
     paintOther(write, this.other, this.store, this.#knob("x"), now);

@@ -7,6 +7,7 @@ import type { PadLook, PadState } from "../../link/messages";
 import { onArrows, onDrag, placeIn } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
+import { CARRIED, type CarriedLook } from "../palette/look_carry";
 import { carries, droppedLook } from "../palette/look_drag";
 import { foundIn } from "../palette/tile_groups";
 import type { Axis } from "../store/axis";
@@ -91,15 +92,15 @@ export class PadEditor extends PadFieldElement {
           @input=${(event: Event) => (this.search = textOf(event))} @keydown=${this.#searchKey} />
         ${this.search.trim() === "" ? nothing : html`<div class="found">${this.#found.map((tile, at) => html`<button class=${at === 0 ? "first" : ""} data-add=${tile.name} @click=${() => this.#add(tile.name)}>${tile.label}</button>`)}</div>`}
       </div>
-      <button class="whole" data-do="keep" title="What shows of it now, as a look at the point" @click=${this.#keep}>Keep what shows</button>
+      <button class="half" data-do="keep" title="What shows of it now, as a look at the point" @click=${this.#keep}>Keep what shows</button>
       <button data-do="name-look" ?disabled=${none} title="Another name for the look (F2)" @click=${() => this.#beginNaming("look")}>Name</button>
       <button data-do="remove" ?disabled=${none} title="Takes the look off the pad (Delete)" @click=${() => this.#remove()}>Remove</button>
       <button data-do="smaller" ?disabled=${few} title="All looks nearer to the middle" @click=${() => this.#scale(1 / SCALE)}>Closer</button>
       <button data-do="larger" ?disabled=${few} title="All looks farther from the middle" @click=${() => this.#scale(SCALE)}>Wider</button>
-      <button class="whole" data-do="spread" ?disabled=${few} title="Evenly apart, in the order in which they lie" @click=${this.#spread}>Spread evenly</button>
       <button data-do="rename" title="Another name for the pad" @click=${() => this.#beginNaming("pad")}>Rename</button>
       <button data-do="copy" ?disabled=${this.draft} @click=${this.#copy}>Copy</button>
-      <button class="whole" data-do="delete" title="Ctrl Z brings it back" @click=${this.#delete}>${this.draft ? "Discard" : "Delete pad"}</button>`;
+      <button class="half" data-do="spread" ?disabled=${few} title="Evenly apart, in the order in which they lie" @click=${this.#spread}>Spread evenly</button>
+      <button class="half" data-do="delete" title="Ctrl Z brings it back" @click=${this.#delete}>${this.draft ? "Discard" : "Delete pad"}</button>`;
   }
 
   #nameField() {
@@ -128,6 +129,9 @@ export class PadEditor extends PadFieldElement {
   }
 
   override firstUpdated(): void {
+    this.addEventListener(CARRIED.over, this.#carried);
+    this.addEventListener(CARRIED.drop, this.#carried);
+    this.addEventListener(CARRIED.out, this.#dragOut);
     onDrag(this.field, {
       start: (x, y) => this.#take(x, y),
       move: (dx, dy) => this.#move([wayOf(dx), this.pad.dimensions === 1 ? 0 : wayOf(dy)]),
@@ -262,10 +266,23 @@ export class PadEditor extends PadFieldElement {
     const name = droppedLook(event, this.#axis);
     if (name === "") return;
     event.preventDefault();
-    const [x, y] = placeIn(this.field.getBoundingClientRect(), event.clientX, event.clientY, [0.5, 0.5]);
+    this.#addAt(name, event.clientX, event.clientY);
+  };
+
+  /** A finger carries a tile over it, and lets it go. */
+  readonly #carried = (event: Event): void => {
+    const { axis, name, x, y } = (event as CustomEvent<CarriedLook>).detail;
+    if (axis !== this.#axis) return;
+    this.over = event.type === CARRIED.over;
+    if (event.type === CARRIED.drop) this.#addAt(name, x, y);
+  };
+
+  /** Puts a face or an expression where it was dropped, in pixels of the page. */
+  #addAt(name: string, left: number, top: number): void {
+    const [x, y] = placeIn(this.field.getBoundingClientRect(), left, top, [0.5, 0.5]);
     const flat = [placeAt(x), placeAt(y)].slice(0, this.pad.dimensions);
     this.#add(name, this.pad.dimensions === 3 ? [...flat, this.depth()] : flat);
-  };
+  }
 
   /** Puts a face or an expression on the pad: where it was dropped, or where there is most room. */
   #add(name: string, place: readonly number[] = roomiest(this.looks, this.pad.dimensions)): void {

@@ -9,7 +9,7 @@ export const padEditorStyle = css`
     flex: 1;
     min-height: 0;
     display: grid;
-    grid-template-columns: minmax(0, 1fr) 148px;
+    grid-template-columns: minmax(0, 1fr) 232px;
     gap: 6px;
   }
   .look {
@@ -29,7 +29,7 @@ export const padEditorStyle = css`
   }
   .tools {
     display: grid;
-    grid-template-columns: repeat(2, minmax(0, 1fr));
+    grid-template-columns: repeat(6, minmax(0, 1fr)); /* all of them in sight in a panel as low as 180 px */
     align-content: start;
     gap: 4px;
     min-height: 0;
@@ -37,7 +37,13 @@ export const padEditorStyle = css`
     scrollbar-width: thin;
     scrollbar-color: var(--edge) transparent;
   }
-  .tools > :is(.whole, .search, input) {
+  .tools > * {
+    grid-column: span 2;
+  }
+  .tools > :is(.half, .search) {
+    grid-column: span 3;
+  }
+  .tools > :is(.whole, input) {
     grid-column: 1 / -1;
   }
   .tools button {
@@ -92,6 +98,12 @@ export const padEditorStyle = css`
   @container pads (max-width: 480px) {
     .body {
       grid-template-columns: minmax(0, 1fr) 112px;
+    }
+    .tools > * {
+      grid-column: span 3;
+    }
+    .tools > :is(.half, .search) {
+      grid-column: 1 / -1;
     }
   }
 `;

@@ -27,6 +27,8 @@ export class PadPanel extends ConsoleElement {
   @state() private asks = false;
   /** What is edited next, once the list has it. */
   #next: NextPad | null = null;
+  /** The pad that was edited when it was shown last. */
+  #seen = "";
   @query("form input") private nameField!: HTMLInputElement | null;
 
   static override styles = [base, padPanelStyle];
@@ -43,12 +45,11 @@ export class PadPanel extends ConsoleElement {
     const { begun } = this;
     return html`<div class="head"><h2>Pads</h2>${this.asks ? this.#form() : this.#keys(pads.length)}
         <button class="close" title="Back to faders and head (Shift H)" @click=${this.close}>Close</button></div>
-      <div class="pads">${begun === null ? nothing : this.#editor(begun, true)}
-        ${repeat(
-          pads,
-          ({ name }) => name,
-          (pad) => (pad.name === this.store.editedPad ? this.#editor(pad, false) : this.#player(pad)),
-        )}
+      <div class="pads">${repeat(
+        begun === null ? pads : [...pads, begun],
+        ({ name }) => name,
+        (pad) => (pad.name === this.store.editedPad ? this.#editor(pad, pad === begun) : this.#player(pad as PadState)),
+      )}
         ${pads.length === 0 && begun === null ? html`<p class="none">No pad yet: make one, or take those of the cast.</p>` : nothing}</div>`;
   }
 
@@ -127,6 +128,14 @@ export class PadPanel extends ConsoleElement {
     this.begun = detail;
     if (this.store.editedPad !== detail.name) this.store.editPad(detail.name);
   };
+
+  /** What is edited is seen, wherever it stands in the row; a new pad stands where it will. */
+  protected override updated(): void {
+    const edited = this.store.editedPad;
+    if (edited !== this.#seen)
+      this.renderRoot.querySelector("omote-pad-editor")?.scrollIntoView({ block: "nearest", inline: "nearest" });
+    this.#seen = edited;
+  }
 
   protected override willUpdate(): void {
     const names = padsOf(this.store).map(({ name }) => name);

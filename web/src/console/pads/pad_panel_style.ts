@@ -56,7 +56,7 @@ export const padPanelStyle = css`
     height: 100%;
   }
   omote-pad-editor {
-    flex-basis: min(100cqw, max(320px, 100cqh + 130px));
+    flex-basis: min(100cqw, max(320px, 100cqh + 214px));
   }
   .star[aria-pressed="true"] {
     color: var(--attention);

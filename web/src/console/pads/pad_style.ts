@@ -128,6 +128,14 @@ export const padStyle = css`
       0 0 0 2px #000,
       inset 0 0 0 1px #000;
   }
+  /* what shows is not what the pad has there: another played it since */
+  .field.idle .fields {
+    opacity: 0.35;
+  }
+  .field.idle .dot::after {
+    border-style: dashed;
+    background: none;
+  }
   .dot.air::after {
     border-color: var(--air);
     background: #ff5a4540;

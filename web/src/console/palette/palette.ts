@@ -17,6 +17,7 @@ import type { Axis } from "../store/axis";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
 import { calledRegions, regionMark, type ShownWeight, shownOf, targetsOf } from "../store/region_calls";
+import { LookCarry } from "./look_carry";
 import { carryLook } from "./look_drag";
 import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
@@ -269,8 +270,10 @@ export class Palette extends AnimatedElement {
 
   override firstUpdated(): void {
     onRoam(this.list, ".tile");
+    const edits = (): boolean => this.store.editedPad !== "";
+    const carry = new LookCarry(this.list, () => this.axis, "omote-pad-editor", edits);
     onHold(this.list, ".tile.own", (tile) => {
-      this.#askMenu(tile.dataset.name);
+      if (!carry.carries) this.#askMenu(tile.dataset.name);
     });
     new ResizeObserver(this.#hint).observe(this.list);
   }

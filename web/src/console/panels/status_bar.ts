@@ -14,6 +14,7 @@ import { secondsLabel } from "../store/timing";
 import { HEARD_MS } from "../store/unheard_panic";
 import type { CueLine } from "./cue_line";
 import { offersStyle, viewOffers } from "./offers";
+import { passNotices, saidNow } from "./said";
 import "../clips/record_light";
 import "./cue_line";
 import "./import_progress";
@@ -25,10 +26,6 @@ import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
 const SLOW = 30;
-/** Milliseconds for which a notice stands. */
-const NOTICE = 6000;
-/** Milliseconds for which what was done can be taken back by a button; a key does so later too. */
-const OFFER = 15_000;
 
 /** Where what must be read of the show has its place beside what this console says, as the style has it. */
 const ROOMY = matchMedia("(min-width: 1101px)");
@@ -44,7 +41,6 @@ export class StatusBar extends ConsoleElement {
   @property({ type: Boolean }) restricted = false;
   @state() private panicked = false;
   #timers: {
-    notice?: ReturnType<typeof setTimeout>;
     panic?: ReturnType<typeof setTimeout>;
     late?: ReturnType<typeof setTimeout>;
   } = {};
@@ -68,16 +64,18 @@ export class StatusBar extends ConsoleElement {
     "panic",
   ];
 
+  constructor() {
+    super();
+    passNotices(
+      this,
+      () => this.store,
+      (offers) => ROOMY.matches && offers.some((offer) => "address" in offer),
+    );
+  }
+
   override connectedCallback(): void {
     super.connectedCallback();
     this.#leave = [
-      this.store.listen("notice", () => {
-        clearTimeout(this.#timers.notice);
-        const { notice, offers } = this.store;
-        const stays = ROOMY.matches && offers.some((offer) => "address" in offer);
-        if (notice === null || stays) return; // what leads on waits to be followed
-        this.#timers.notice = setTimeout(() => this.store.say(null), offers.length > 0 ? OFFER : NOTICE);
-      }),
       this.store.listen("panic", () => {
         const { era } = this.store;
         clearTimeout(this.#timers.late);
@@ -97,7 +95,6 @@ export class StatusBar extends ConsoleElement {
     super.disconnectedCallback();
     for (const leave of this.#leave) leave();
     this.#room.disconnect();
-    clearTimeout(this.#timers.notice);
     clearTimeout(this.#timers.panic);
     clearTimeout(this.#timers.late);
   }
@@ -119,23 +116,13 @@ export class StatusBar extends ConsoleElement {
 
   /** What is to be answered has the room of what is to be watched. */
   protected override updated(): void {
-    this.toggleAttribute("asks", this.#said.offers.length > 0);
+    this.toggleAttribute("asks", saidNow(this.context).offers.length > 0);
     this.toggleAttribute("records", passesOf(this.store).length > 0);
-  }
-
-  /** What this console says last, with the ways back of a panic; while it says nothing, what waits for an answer. */
-  get #said() {
-    const { notice: text, tone, offers } = this.store;
-    const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
-    const { leases, panicReturn, sources } = this.context;
-    const question = panicReturn.question ?? leases.question ?? sources.question;
-    if (text === null) return { ...notice, tone: "attention", ...question };
-    return { ...notice, offers: [...offers, ...(panicReturn.question?.offers ?? [])] };
   }
 
   override render() {
     const unread = this.notices.open.length;
-    const { text, tone, offers, dismiss } = this.#said;
+    const { text, tone, offers, dismiss } = saidNow(this.context);
     const none = text === null && this.context.items.naming === null; // the field for a name stands there too
     return html`
       <div class="mark">OMOTE</div>

@@ -18,7 +18,7 @@ const style = css`
   }
   .way {
     position: relative;
-    display: grid;
+    display: var(--way, grid);
     min-width: 60px;
     width: 110px;
   }

@@ -94,7 +94,7 @@ const style = css`
     }
   }
   @media ${low} {
-    .next span {
+    .next b ~ span {
       display: none;
     }
   }

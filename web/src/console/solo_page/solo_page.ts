@@ -14,11 +14,13 @@ import type { BlendPad } from "../pads/blend_pad";
 import { padsOf } from "../pads/pad_commands";
 import type { Monitor } from "../panels/monitor";
 import { offersStyle, viewOffers } from "../panels/offers";
+import { passNotices, saidNow } from "../panels/said";
 import type { MemoryRow } from "../scene/memory_row";
 import { SOLO_PARTS, type SoloPart } from "../store/arrangement";
 import { isPanic, stepOf } from "../store/keys";
 import type { Topic } from "../store/page_store";
 import { toggleStill } from "../store/stillness";
+import { HEARD_MS } from "../store/unheard_panic";
 import { NO_PLACES, placesAfter, withChosen } from "./pad_places";
 import { SOLO_KEYS, type SoloCommand, soloCommandOf } from "./solo_keys";
 import { soloPageStyle } from "./solo_page_style";
@@ -32,6 +34,7 @@ import "../pads/blend_pad";
 import "../panels/monitor";
 import "../scene/memory_row";
 import "../../ui/keys_help";
+import "./black_key";
 import "./liveliness";
 import "./next_cue";
 
@@ -40,6 +43,7 @@ const PART_LABELS: Readonly<Record<SoloPart, string>> = {
   lines: "Lines: clips of the show",
   head: "Pad of the head",
 };
+const ROW_LABELS: Readonly<Record<SoloPart, string>> = { looks: "Looks", lines: "Lines", head: "Head" };
 const SIDES = ["left", "right"] as const;
 
 @customElement("omote-solo")
@@ -49,6 +53,8 @@ export class SoloPage extends ConsoleElement {
   @state() private learning = false;
   /** What the page shows is chosen. */
   @state() private choosing = false;
+  /** What was chosen to stand below the face, where one part has room there. */
+  @state() private row: SoloPart = "looks";
   @query("omote-monitor") private monitor!: Monitor;
   @query("omote-memories") private memories!: MemoryRow | null;
   #places = NO_PLACES;
@@ -69,10 +75,17 @@ export class SoloPage extends ConsoleElement {
 
   constructor() {
     super();
+    passNotices(this, () => this.store);
     whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
     const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
     hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
+  }
+
+  /** A panic that nobody hears is said after a while. */
+  protected override changed(topic: Topic): void {
+    super.changed(topic);
+    if (topic === "panic") setTimeout(() => this.requestUpdate(), HEARD_MS);
   }
 
   /** Gives the picture the cast to draw. */
@@ -93,39 +106,58 @@ export class SoloPage extends ConsoleElement {
     this.classList.toggle("lost", !store.online);
     this.classList.toggle("preview", store.bus === "preview");
     for (const part of SOLO_PARTS) this.toggleAttribute(part, solo[part]);
+    this.dataset.row = this.#row ?? "";
     return html`${this.#header()}
       ${solo.lines ? html`<section class="lines panel live" aria-label="Lines"><omote-clip-tiles .context=${context}></omote-clip-tiles></section>` : nothing}
       <section class="face panel" aria-label="On air"><omote-monitor bare .context=${context}></omote-monitor></section>
       <omote-next-cue class="panel live" .cues=${this.cues}></omote-next-cue>
       ${SIDES.map((side, at) => this.#pad(side, at))}
-      ${solo.head ? html`<omote-pad class="head panel live" .context=${context} .what=${"head"}></omote-pad>` : nothing}
+      ${solo.head ? html`<omote-pad low class="head panel live" .context=${context} .what=${"head"}></omote-pad>` : nothing}
       ${solo.looks ? html`<omote-memories class="panel live" .context=${context}></omote-memories>` : nothing}
       <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
-      ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
       ${this.help ? html`<omote-keys-help .keys=${SOLO_KEYS} @close=${() => (this.help = false)}></omote-keys-help>` : nothing}`;
   }
 
   #header() {
     const { store } = this;
     const panic = pressed(() => store.panic());
-    const said = store.notice;
+    const { text, tone, offers, dismiss } = saidNow(this.context);
     return html`<header><div class="bar panel"><h1>SOLO</h1>
         ${this.#characters()}<span class="air ${store.goesBlack ? "black" : ""}">${this.#airWords}</span>
         <omote-record-light .context=${this.context}></omote-record-light>
         ${store.online ? nothing : html`<span class="lost-link" role="alert">LINK LOST</span>`}
-        <span class="notice ${store.tone} ${said === null ? "none" : ""}" role="status">${said ?? ""} ${viewOffers(said === null ? this.#back : [...store.offers, ...this.#back], () => store.say(null))}</span>
+        <span class="notice ${tone} ${text === null ? "none" : ""}" role="status"><span title=${text ?? ""}>${text ?? ""}</span>${viewOffers(offers, dismiss)}</span>
+        ${this.#rows()}
         <omote-liveliness class="live" .context=${this.context}></omote-liveliness>
-        <button class="black live" aria-pressed=${store.goesBlack} title="Fade all stages to black; again: up (Shift B)" @click=${() => store.callBlack()}>Black</button>
+        <omote-black-key class="live" .context=${this.context}></omote-black-key>
         <button class="show" aria-expanded=${this.choosing} title="What this page shows" @click=${() => (this.choosing = !this.choosing)}>Show ▾</button>
         <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => (this.help = true)}>?</button>
         ${this.choosing ? this.#choice() : nothing}
-      </div><button class="panic live" title="Panic (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button></header>`;
+      </div><button class="panic live ${store.air?.home_next ? "again" : ""}" title="${store.air?.home_next ? "Panic again: the home face" : "Panic"} (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>${this.#panicWord}</button>
+      ${this.learning ? html`<omote-learn-mode inline .context=${this.context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}</header>`;
   }
 
-  /** The ways back from a panic. */
-  get #back() {
-    return this.context.panicReturn.question?.offers ?? [];
+  /** What panic does now: its second press brings the home face, and one that nobody has heard says so. */
+  get #panicWord(): string {
+    const { online, panicIsLate, air } = this.store;
+    if (!online || panicIsLate) return "NOT HEARD";
+    return air?.home_next ? "HOME FACE" : "PANIC";
+  }
+
+  /** What is shown below the face of a phone on its side, where there is room for one: looks, lines or the head. */
+  #rows() {
+    const chosen = SOLO_PARTS.filter((part) => this.store.arrangement.solo[part]);
+    return html`<span class="rows" role="group" aria-label="Below the face">${chosen.map(
+      (part) => html`<button data-row=${part} aria-pressed=${part === this.#row} title=${PART_LABELS[part]}
+        @click=${() => (this.row = part)}>${ROW_LABELS[part]}</button>`,
+    )}</span>`;
+  }
+
+  /** The part that is shown there. */
+  get #row(): SoloPart | undefined {
+    const { solo } = this.store.arrangement;
+    return [this.row, ...SOLO_PARTS].find((part) => solo[part]);
   }
 
   #characters() {

@@ -45,6 +45,9 @@ export const soloPageStyle = css`
     gap: 6px;
     min-width: 0;
   }
+  omote-learn-mode {
+    grid-column: 1 / -1;
+  }
   .bar {
     ${flow}
     gap: 4px 8px;
@@ -76,9 +79,25 @@ export const soloPageStyle = css`
   .notice {
     flex: 1 1 120px;
     min-width: 0;
-    max-height: 2.6em;
-    overflow: hidden;
+    display: flex;
+    align-items: center;
     line-height: 1.3;
+  }
+  .notice > span {
+    flex: 0 1 auto;
+    min-width: 60px;
+    max-height: 2.6em; /* two lines: nothing of the page moves for words */
+    overflow: hidden;
+  }
+  .notice .offer {
+    flex: none;
+    padding: 6px 2px;
+  }
+  .notice .away {
+    min-width: 34px;
+  }
+  .rows {
+    display: none; /* where there is no room for all parts */
   }
   .notice.attention {
     color: var(--attention);
@@ -108,6 +127,11 @@ export const soloPageStyle = css`
     border: 0;
     border-radius: 6px;
     touch-action: none;
+  }
+  .panic.again {
+    font-size: 14px;
+    color: #000;
+    background: var(--attention);
   }
   .panic:active {
     background: #ff4130;
@@ -238,8 +262,11 @@ export const soloPageStyle = css`
       padding: 0 6px;
     }
     h1,
-    .bar > :is(omote-liveliness, .help) {
+    .bar > .help {
       display: none; /* in what is chosen to show */
+    }
+    .bar > omote-liveliness {
+      --way: none; /* what a panic ends has its way back in sight */
     }
     .panic {
       min-width: 84px;
@@ -257,43 +284,45 @@ export const soloPageStyle = css`
       inset: auto 6px 6px auto; /* the face stays in sight */
     }
   }
-  /* a phone on its side: one row below the face, the first that is chosen */
+  /* a phone on its side: one part below the face, by its tab */
   @media (${low}) and (orientation: landscape) {
     :host {
       gap: 4px;
       padding-top: 4px;
       grid-template:
-        "left bar right" auto
+        "bar bar bar" auto
         "left face right" minmax(0, 1fr)
         "left next right" auto
-        "left looks right" auto / minmax(0, min(33vw, 100dvh - 40px)) minmax(0, 1fr) minmax(0, min(33vw, 100dvh - 40px));
+        "left looks right" auto / minmax(0, min(33vw, 100dvh - 90px)) minmax(0, 1fr) minmax(0, min(33vw, 100dvh - 90px));
     }
-    :host([lines]) .lines,
-    :host([head]) .head {
-      grid-area: looks;
-      height: 64px;
+    .rows {
+      display: flex;
+      gap: 2px;
     }
-    :host([head]) .head {
-      height: 130px;
-    }
-    :host([looks]) :is(.lines, .head),
-    :host([lines]) .head {
+    omote-memories,
+    :host .lines,
+    :host .head {
       display: none;
     }
-    .bar {
-      flex-wrap: nowrap;
+    :host([data-row="looks"]) omote-memories {
+      display: block;
     }
-    .panic {
-      min-width: 76px;
-      font-size: 15px;
+    :host([data-row="lines"]) .lines,
+    :host([data-row="head"]) .head {
+      grid-area: looks;
+      display: grid;
+      height: 108px;
+    }
+    :host([data-row="head"]) .head {
+      height: 140px;
     }
     .notice {
-      position: fixed;
-      z-index: 6;
-      inset: auto 0 0;
-      max-height: none;
-      padding: 4px 10px;
-      background: #000d;
+      order: 0;
+      flex: 1 1 160px;
+      font-size: 12px;
+    }
+    .notice.none {
+      display: flex; /* what stands right of it stays there */
     }
   }
 `;

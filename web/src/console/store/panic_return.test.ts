@@ -59,7 +59,7 @@ function said(): unknown[] {
 it("a panic that ends sources offers them again, with the liveliness of before, and that is undone", () => {
   hear(ONCE);
   expect(offered()).toEqual(["Sources on again"]);
-  expect(store.logEntries.at(-1)?.text).toBe("Panic: sources and liveliness of Rex are off.");
+  expect(store.logEntries.at(-1)?.text).toBe("Stopped by panic: sources and liveliness of Rex.");
   const [tracker, motion, ...others] = press("Sources on again");
   expect(tracker).toMatchObject({ type: "set_layer", character: "rex", layer: "tracker", on: true });
   expect(motion).toMatchObject({ type: "set_motion", character: "rex", liveliness: 0.4 });
@@ -67,6 +67,11 @@ it("a panic that ends sources offers them again, with the liveliness of before, 
   expect(returns.question).toBeNull();
   store.undo();
   expect(said()).toMatchObject([{ layer: "tracker", on: false }, { liveliness: 0 }]);
+});
+
+it("says what has ended, and nothing else", () => {
+  hear({ ...ONCE, layers: REX.layers });
+  expect(returns.question?.text).toBe("Stopped by panic: liveliness of Rex.");
 });
 
 it("a second panic offers the face of before, called in the usual seconds", () => {

@@ -57,7 +57,7 @@ export class PanicReturn {
       this.#faces = stepOf("faces of before", faces, (character) => faceOf(character, seconds, easing));
     } else if (sources.length > 0) this.#faces = null;
     const sentences = [
-      ...(sources.length > 0 ? [`Panic: sources and liveliness of ${listed(sources)} are off.`] : []),
+      ...(sources.length > 0 ? [`Stopped by panic: ${endedOf(sources)} of ${listed(sources)}.`] : []),
       ...(faces.length > 0 ? [`Home face: ${listed(faces)}.`] : []),
     ];
     if (sentences.length === 0) return;
@@ -103,6 +103,19 @@ function sourcesOf([character, was, now]: PanickedCharacter): (readonly [Change,
   const aside = looks && (now.motion?.target ?? AHEAD).kind === "ahead";
   const gaze = aside ? [[looking(character, AHEAD), looking(character, target)] as const] : [];
   return [...changes, ...motion, ...gaze];
+}
+
+const ENDED: Readonly<Partial<Record<Change["type"], string>>> = {
+  set_layer: "sources",
+  set_motion: "liveliness",
+  look_at: "what eyes follow",
+};
+
+/** What a panic ended of some characters, in words. */
+function endedOf(panicked: readonly PanickedCharacter[]): string {
+  const types = new Set(panicked.flatMap(sourcesOf).map(([, before]) => before.type));
+  const words = Object.entries(ENDED).flatMap(([type, word]) => (types.has(type as Change["type"]) ? [word] : []));
+  return words.length < 2 ? words.join() : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 }
 
 const looking = (character: string, target: GazeTargetState): Change => ({ type: "look_at", character, ...target });

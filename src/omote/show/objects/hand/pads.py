@@ -7,6 +7,7 @@ from typing import Annotated
 
 import msgspec
 
+from omote.perform.mappings.renamed_pads import plays_pad
 from omote.perform.pads.blend_space import (
     LONGEST_PAD_NAME,
     MOST_LOOKS,
@@ -34,7 +35,7 @@ _ALONG = Value(low=PLACE_RANGE[0], high=PLACE_RANGE[1])
 _ALONG_ONE = Value(low=PLACE_RANGE[0], high=PLACE_RANGE[1], optional=True)
 PAD_LIMIT = 32768
 """Bytes: twelve looks of 24 names."""
-NAMED_CUES = 8
+MOST_NAMED = 8
 """That a notice of a pad that is gone names."""
 
 
@@ -48,23 +49,39 @@ class PadCommand(SceneCommand, frozen=True):
     follows_bus = False
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
-        """Changes the pads; cues follow one that has another name, and the crew is told which cues need one that is
-        gone. session: the show; who: the client; now: seconds, monotonic."""
+        """Changes the pads; cues, macros and bindings follow one that has another name, and the crew is told what needs
+        one that is gone. session: the show; who: the client; now: seconds, monotonic."""
         before = session.scene.pads
         renamed = self.change_pads(session.scene)
         for name, to in renamed.items():
             session.cues.rename_pad(name, to, who)
+        session.renamed_pads += renamed.items()
         for name in before:
-            needed_by = [] if name in renamed or name in session.scene.pads else session.cues.who_moves_pad(name)
-            if needed_by:
-                listed = ", ".join(needed_by[:NAMED_CUES]) + (", ..." if len(needed_by) > NAMED_CUES else "")
-                session.lost.append(f"the pad {name} is gone, and these move it, which does nothing now: {listed}.")
+            gone = name not in renamed and name not in session.scene.pads
+            if gone and (needed_by := [*session.cues.who_moves_pad(name), *_macros_of(session.scene, name)]):
+                session.lost.append(said_of_gone(name, needed_by))
         return ()
 
     def change_pads(self, scene: Scene) -> Mapping[str, str]:
         """Changes the pads of a scene; returns what a pad is called now, by what it was called."""
         self.change(scene)
         return {}
+
+
+def said_of_gone(pad: str, needed_by: Sequence[str]) -> str:
+    """What the crew is told of a pad that is gone. pad: its name; needed_by: what moves it, in words."""
+    listed = ", ".join(needed_by[:MOST_NAMED]) + (", ..." if len(needed_by) > MOST_NAMED else "")
+    return f"the pad {pad} is gone, and these move it, which does nothing now: {listed}."
+
+
+def _macros_of(scene: Scene, pad: str) -> list[str]:
+    """The macros that move a pad (by its name), in words."""
+    return [
+        f"the macro {mapping.name} of {scene.labels[character]}"
+        for character in scene
+        for mapping in scene[character].mappings.values()
+        if plays_pad(mapping, pad)
+    ]
 
 
 class SetPad(PadCommand, frozen=True):
@@ -89,7 +106,8 @@ class SetPad(PadCommand, frozen=True):
 
 
 class RenamePad(PadCommand, frozen=True):
-    """Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues."""
+    """Gives a pad another name (`to`); what it plays it plays on. Cues that move it follow, as one edit of cues,
+    and macros, bindings and set-ups."""
 
     id: CallId
     name: PadName
@@ -116,7 +134,7 @@ class CopyPad(PadCommand, frozen=True):
 
 
 class DropPad(PadCommand, frozen=True):
-    """Forgets a pad; what it shows stays on air. A notice names the cues that move it."""
+    """Forgets a pad; what it shows stays on air. A notice names the cues, macros and bindings that move it."""
 
     id: CallId
     name: PadName

@@ -9,8 +9,9 @@ import msgspec
 
 from omote.perform.limits import check_known
 from omote.perform.mappings.mapping import MacroMapping
+from omote.perform.mappings.renamed_pads import mapping_after_rename
 from omote.show.declaration import CallId, DeviceMessage, Outgoing, ServerMessage, Session
-from omote.show.objects.bindings import BindingDocument
+from omote.show.objects.bindings import BindingDocument, address_after_rename
 from omote.show.objects.documents import Document
 from omote.show.osc import PRESS, Value, osc
 
@@ -26,6 +27,17 @@ class StoredSetup(Document, frozen=True):
 
     mappings: dict[str, list[MacroMapping]] = msgspec.field(default_factory=dict)
     bindings: list[BindingDocument] = msgspec.field(default_factory=list)
+
+    def after_rename(self, pad: str, to: str) -> StoredSetup:
+        """The set-up with another name for a pad. pad: its name before; to: its name now."""
+        mappings = {
+            character: [mapping_after_rename(mapping, pad, to) for mapping in mappings]
+            for character, mappings in self.mappings.items()
+        }
+        bindings = [
+            msgspec.structs.replace(binding, to=address_after_rename(binding.to, pad, to)) for binding in self.bindings
+        ]
+        return msgspec.structs.replace(self, mappings=mappings, bindings=bindings)
 
     def names(self) -> Iterable[str]:
         """The characters whose macros it has, the channels that they play, and what its bindings call."""
