@@ -34,9 +34,6 @@ LIPS_SECONDS = 0.04
 """In which the layer of speech is."""
 RETURN_SECONDS = 0.2
 """In which a source is followed that has just come, or come back: what it sends then may be a jump."""
-HEAD_RETURN_SECONDS = 0.8
-"""In which a head is followed that has just come back after a gap: from 29 degrees away its speed then changes by 12
-degrees a second in a tick, at most."""
 LEAST_SECONDS = 0.03
 """In which the liveliest source is followed: two ticks."""
 STREAM_HASTE = 60.0
@@ -58,14 +55,12 @@ SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
 @dataclass(frozen=True, eq=False)
 class Pace:
     """How a source is followed, in the columns of a layer (its row) that show it: in how many seconds, 0 as its layer
-    is; steady: 0 where it has just come, 1 where its frames have come without a gap for a while; head: the same of
-    its head, which takes longer after a longer gap."""
+    is; steady: 0 where it has just come, 1 where its frames have come without a gap for a while."""
 
     row: int
     own: NDArray[np.bool_]
     seconds: float
     steady: float
-    head: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,11 +134,6 @@ class Columns:
                 hastes[pace.own] *= min(RETURN_SECONDS / pace.seconds, 1.0)
             near = np.minimum(row[pace.own], slow)
             row[pace.own] = near + pace.steady * (row[pace.own] - near)
-            if pace.head < 1.0 and pace.own[HEAD].all():
-                sooner = pace.head * pace.head * pace.head  # slow for most of it, so that little way is left at its end
-                near = np.minimum(row[HEAD], rate_of(HEAD_RETURN_SECONDS))
-                row[HEAD] = near + sooner * (row[HEAD] - near)
-                hastes[HEAD] *= sooner
         return rate, haste
 
     def in_parts(self, parts: tuple[bool, ...]) -> NDArray[np.bool_]:
