@@ -66,7 +66,7 @@ from omote.perform.mix import mix_in
 from omote.perform.scene import movement
 from omote.perform.scene.cast_pads import cast_pads
 from omote.perform.scene.pad_goals import goal_of_point, is_pad_goal
-from omote.perform.springs.cast_springs import SPRING_NAMES, SPRINGS, SpringName, without_springs
+from omote.perform.springs.cast_springs import SPRING_NAMES, SPRINGS, SpringName, check_spring, without_springs
 from omote.perform.springs.spring import Spring
 from omote.perform.springs.springs import AMOUNT_LIMIT
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
@@ -386,7 +386,7 @@ def mixes_of(frame: Frame) -> dict[str, Numbers]:
     """The mixes of a frame, and its channels and angles, by quantity."""
     regions = {f"expressions of {region}": mix_in(region, frame.expressions, frame.regions) for region in PLAY_REGIONS}
     turned = {name: {name: value} for name, value in (("yaw", frame.head.yaw), ("pitch", frame.head.pitch))}
-    swings = {name: {name: frame.channels.get(name, 0.0)} for name in SPRING_NAMES}
+    swings: dict[str, Numbers] = {name: {name: frame.channels.get(name, 0.0)} for name in SPRING_NAMES}
     return {"faces": frame.faces, **regions, "channels": without_springs(frame.channels, {}), **turned, **swings}
 
 
@@ -419,7 +419,7 @@ def bend_beyond_swing(name: SpringName, frames: list[Frame], amount: float) -> f
     spring = SPRINGS[name]
     weights = [frame.channels.get(spring.channel, 0.0) for frame in frames]
     before, at, after = (weight / math.sqrt(1.0 - (weight / spring.limit) ** 2) for weight in weights)
-    driven = np.diff([driver_of(spring, frame) for frame in frames], 2)[0]
+    driven = float(np.diff([driver_of(spring, frame) for frame in frames], 2)[0])
     rate = 2.0 * math.pi * spring.frequency
     swing = math.hypot(rate * at, RATE * (after - before) / 2.0)
     own = rate / RATE * math.sqrt(1.0 + 4.0 * spring.damping * spring.damping) * swing
@@ -451,7 +451,7 @@ class Looked:
             is_mix = name == "faces" or name.startswith("expressions")
             found = bend(mixes[0][name], at, mixes[2][name], mix=is_mix)
             if name in SPRINGS:
-                found = bend_beyond_swing(name, frames, amounts[name])
+                found = bend_beyond_swing(check_spring(name), frames, amounts[name])
             if found > self.worst.get(name, (0.0,))[0]:
                 self.worst[name] = found, frames[1].time, last
             most = max(most, found)
