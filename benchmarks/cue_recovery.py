@@ -30,7 +30,7 @@ from omote.show.declaration import ClientMessage
 from omote.show.messages import LINK_PATH, STATE_RATE
 from omote.show.objects.clips import KeepPass, PlayClip, RecordClip
 from omote.show.objects.cues import CueListStatus, Go
-from omote.show.objects.state import State
+from omote.show.objects.state import ClipState, State
 from omote.show.wire import encode
 
 CUES = 600
@@ -113,7 +113,7 @@ def faults(before: State, after: State) -> tuple[str, ...]:
         found.append(f"the clip is {[clip.name for clip in clips[1]]}")
     elif (
         clips[0]
-        and abs(off := _around(clips[1][0].elapsed - clips[0][0].elapsed - passed, clips[1][0].seconds)) > APART
+        and abs(off := _around(clips[1][0].elapsed - clips[0][0].elapsed - passed, _loop_of(clips[1][0]))) > APART
     ):
         found.append(f"the clip is {off:.3f} s off")
     return tuple(found)
@@ -124,6 +124,11 @@ def _has_gone_on(was: CueListStatus, came: CueListStatus, passed: float) -> bool
         return was.follows_in > passed - APART and was.standby == came.standby
     due = was.follows is not None and abs(was.follows_in - passed) < FOLLOW_SECONDS
     return due and came.current == was.follows
+
+
+def _loop_of(clip: ClipState) -> float:
+    """Seconds from one beginning of a loop to the next."""
+    return clip.seconds - BLEND_SECONDS
 
 
 def _around(seconds: float, length: float) -> float:

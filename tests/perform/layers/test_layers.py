@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from omote.model.space.expression import Title
 from omote.perform.blending.evaluate import check_playable, evaluate, evaluate_parts
 from omote.perform.channels import GAZE_UNITS, channels_of, effective_channels
 from omote.perform.frame import Frame, Gaze, Head, Held
+from omote.perform.layers.drivers import BACK_ACCELERATION
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS, LayerName
 from omote.perform.layers.layer_vectors import Layers
 from omote.perform.layers.layers import advance, are_hands_still, begin, drive, drive_direct, hold_by, leave
@@ -434,6 +436,56 @@ def test_a_head_that_comes_back_elsewhere_is_followed_slowly(cast: Cast, gap: fl
     speeds = np.diff(yaws) / DT
     assert np.abs(np.diff(speeds)).max() < HEAD_STEP
     assert yaws[-60] == pytest.approx(math.radians(29.0), rel=0.02), "two seconds later it is there"
+
+
+@given(st.floats(0.02, 0.45), st.floats(-0.5, 1.5), st.floats(-0.5, 1.5))
+@settings(max_examples=10)
+def test_what_is_lost_and_seen_elsewhere_comes_back_without_a_jump_of_speed(
+    cast: Cast, gap: float, before: float, after: float
+) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 1.5, lambda _: performer.drive({"jawOpen": before})))
+    performer.drive({"jawOpen": 0.0}, found=False)
+    shown = [frame.channels.get("jawOpen", 0.0) for frame in played(cast, performer, gap)]
+    back = played(cast, performer, 2.0, lambda _: performer.drive({"jawOpen": after}))
+    shown += [frame.channels.get("jawOpen", 0.0) for frame in back]
+    assert np.abs(np.diff(shown, 2)).max() < 1.25 * BACK_ACCELERATION * DT * DT
+    assert shown[-1] == pytest.approx(after, abs=1e-3)
+
+
+@given(st.floats(0.02, 1.0), st.floats(0.0, 1.0))
+@settings(max_examples=5)
+def test_a_hand_takes_a_channel_from_a_source_without_a_jump_of_speed(cast: Cast, source: float, hand: float) -> None:
+    performer = Performer(cast)
+    play = partial(performer.drive, {"jawOpen": source})
+    before = [frame.channels["jawOpen"] for frame in played(cast, performer, 1.5, lambda _: play())]
+    performer.set_channel("jawOpen", hand)
+    shown = before[-3:] + [
+        frame.channels.get("jawOpen", 0.0) for frame in played(cast, performer, 1.0, lambda _: play())
+    ]
+    assert np.abs(np.diff(shown, 2)).max() < 33.0 * abs(source - hand) * DT * DT + 1e-6
+
+
+def test_who_is_lost_for_a_frame_and_seen_where_it_was_is_followed_as_ever(cast: Cast) -> None:
+    ways = []
+    for is_lost in (False, True):
+        performer = Performer(cast)
+        last(played(cast, performer, 1.0, lambda _, p=performer: p.drive({"jawOpen": 0.2})))  # type: ignore[misc]
+        if is_lost:
+            performer.drive({}, found=False)
+        last(played(cast, performer, DT, lambda _, p=performer: p.drive({"jawOpen": 0.2})))  # type: ignore[misc]
+        again = played(cast, performer, 0.2, lambda n, p=performer: p.drive({"jawOpen": 0.2 + 0.03 * n}))  # type: ignore[misc]
+        ways.append([frame.channels["jawOpen"] for frame in again])
+    assert ways[0] == ways[1]
+
+
+def test_who_is_seen_elsewhere_comes_back_after_a_snapshot_as_without_one(cast: Cast) -> None:
+    performer = Performer(cast)
+    last(played(cast, performer, 1.0, lambda _: performer.drive({"jawOpen": 0.1}, head=(0.2, 0.0, 0.0))))
+    last(played(cast, performer, 0.3))
+    last(played(cast, performer, 0.2, lambda _: performer.drive({"jawOpen": 0.8}, head=(-0.2, 0.0, 0.0))))
+    other = Performer.restored(cast, performer.snapshot())
+    assert list(played(cast, performer, 1.0)) == list(played(cast, other, 1.0))
 
 
 def test_a_head_that_plays_on_is_followed_as_ever(cast: Cast) -> None:

@@ -138,6 +138,18 @@ def test_a_spring_that_begins_in_a_turn_is_not_kicked_by_it() -> None:
     assert state[:2] == (0.0, 0.0)
 
 
+@given(frequencies, dampings, st.floats(-1.0, 1.0), st.floats(-20.0, 20.0), st.floats(1e-3, LONGEST_STEP))
+def test_a_swing_of_its_own_changes_its_speed_by_no_more_than_the_square_of_its_frequency_allows(
+    frequency: float, damping: float, turn: float, speed: float, dt: float
+) -> None:
+    spring = replace(EARS, frequency=frequency, damping=damping)
+    rate = 2.0 * math.pi * frequency
+    after = advance_spring(spring, SpringState(turn, speed, 0.0, 0.0), 0.0, dt)
+    largest = rate * math.sqrt(1.0 + 4.0 * damping * damping) * math.hypot(rate * turn, speed)
+    assert abs(after.speed - speed) <= largest * dt + 1e-4
+    assert math.hypot(rate * after.turn, after.speed) <= math.hypot(rate * turn, speed) + 1e-4
+
+
 def test_what_can_hardly_be_seen_is_not_played() -> None:
     assert weight_of(EARS, 0.003 / EARS.gain, 0.0, 1.0) == 0.0
     assert weight_of(EARS, -0.003 / EARS.gain, 0.0, 1.0) == 0.0

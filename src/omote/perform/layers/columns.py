@@ -34,9 +34,6 @@ LIPS_SECONDS = 0.04
 """In which the layer of speech is."""
 RETURN_SECONDS = 0.2
 """In which a source is followed that has just come, or come back: what it sends then may be a jump."""
-HEAD_RETURN_SECONDS = 0.8
-"""In which a head is followed that has just come back after a gap: from 29 degrees away its speed then changes by 12
-degrees a second in a tick, at most."""
 LEAST_SECONDS = 0.03
 """In which the liveliest source is followed: two ticks."""
 STREAM_HASTE = 60.0
@@ -44,7 +41,9 @@ STREAM_HASTE = 60.0
 HAND_SECONDS = 0.3
 """In which a fader is followed while a source plays below it; without one it is immediate."""
 SHARE_SECONDS = 0.5
-"""In which an influence, a switch and the hold of a hand are followed."""
+"""In which an influence and a switch are followed."""
+HOLD_SECONDS = 0.7
+"""In which the hold of a hand is: on a channel that is a unit off, it changes the speed by .14 a second in 1/240 s."""
 TRUST_SECONDS = 1.0
 
 PLACES = WHOLE + 1
@@ -58,14 +57,12 @@ SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
 @dataclass(frozen=True, eq=False)
 class Pace:
     """How a source is followed, in the columns of a layer (its row) that show it: in how many seconds, 0 as its layer
-    is; steady: 0 where it has just come, 1 where its frames have come without a gap for a while; head: the same of
-    its head, which takes longer after a longer gap."""
+    is; steady: 0 where it has just come, 1 where its frames have come without a gap for a while."""
 
     row: int
     own: NDArray[np.bool_]
     seconds: float
     steady: float
-    head: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +95,7 @@ class Columns:
         sizes |= {"share": len(LAYERS) * PLACES, "trust": len(DRIVEN) * PLACES, "yielded": len(PLAY_REGIONS)}
         ends = np.cumsum([sizes[name] for name in SECTIONS]).tolist()
         sections = {name: slice(end - sizes[name], end) for name, end in zip(SECTIONS, ends, strict=True)}
-        seconds = (HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
+        seconds = (HAND_SECONDS, HOLD_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
         counts = [sizes[name] for name in SECTIONS]
         streams = [rate_of(seconds) for layer in DRIVEN for seconds in _stream_seconds(layer, self.parts)]
         derived = {
@@ -140,11 +137,6 @@ class Columns:
                 hastes[pace.own] *= min(RETURN_SECONDS / pace.seconds, 1.0)
             near = np.minimum(row[pace.own], slow)
             row[pace.own] = near + pace.steady * (row[pace.own] - near)
-            if pace.head < 1.0 and pace.own[HEAD].all():
-                sooner = pace.head * pace.head * pace.head  # slow for most of it, so that little way is left at its end
-                near = np.minimum(row[HEAD], rate_of(HEAD_RETURN_SECONDS))
-                row[HEAD] = near + sooner * (row[HEAD] - near)
-                hastes[HEAD] *= sooner
         return rate, haste
 
     def in_parts(self, parts: tuple[bool, ...]) -> NDArray[np.bool_]:

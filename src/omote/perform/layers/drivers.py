@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import with_fields
 from omote.perform.layers.columns import Columns
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerName, LayerPart
@@ -19,24 +21,26 @@ GAP_SECONDS = 0.08
 LIPS_GAP_SECONDS = 0.06
 """Of silence, after which it no longer counts as steady: what comes then may be a jump. Lips are followed
 soonest; thirty frames a second have no gap."""
-
-
-HEAD_GAP_SECONDS = 0.25
-"""Of silence, after which a head may come back elsewhere; ten frames a second, and a frame that is lost, have no such
-gap."""
-HEAD_BACK_SECONDS = 1.5
-"""In which a head that comes back is followed slowly, then as its layer is: a turn of the head is a matter of a second,
-and a performer's hand or face that is found again is somewhere else."""
+GONE_SECONDS = 0.25
+"""Of silence, after which a source may come back elsewhere; ten frames a second, and a frame that is lost, have no such
+gap. One that says that it does not see its performer may do so after any time."""
+BACK_ACCELERATION = 12.0
+"""1/s^2: the largest of a weight on its way to where a source is that came back elsewhere: .2 a second in a tick."""
+LONGEST_WAY_BACK = 2.0
+"""Seconds; from one end of a weight to the other it takes .98."""
+_QUINTIC = 10.0 / math.sqrt(3.0)
+"""The largest acceleration of the quintic over a way of 1 in a second."""
+_EASING = EASINGS[DEFAULT_EASING]
 
 
 @dataclass(frozen=True)
 class Driver:
     """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
 
-    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. away: seconds in which
-    its head is still followed slowly, after a gap. share: how much of its
-    layer it takes. route_number: of two that may play the same parts, the higher one has them. part_shares: as of a
-    frame.
+    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. lost: it has said that
+    it does not see its performer. way, away: seconds of its way back from where it was seen last, and what is left of
+    them. share: how much of its layer it takes. route_number: of two that may play the same parts, the higher one has
+    them. part_shares: as of a frame.
     """
 
     source: str
@@ -51,7 +55,19 @@ class Driver:
     share: float = 1.0
     route_number: int = 0
     part_shares: tuple[float, ...] = ()
+    lost: bool = False
+    way: float = 0.0
     away: float = 0.0
+
+    @property
+    def may_be_elsewhere(self) -> bool:
+        """Whether its next frame may be far from its last."""
+        return self.lost or self.silent >= GONE_SECONDS
+
+    @property
+    def way_left(self) -> float:
+        """How much of its way back is left, 1 to 0: no jump of speed at either end."""
+        return _EASING.value(self.away / self.way) if 0.0 < self.away <= self.way else 0.0
 
     @property
     def is_trusted(self) -> bool:
@@ -70,6 +86,11 @@ def driver_of(frame: SourceFrame) -> Driver:
 def find_driver(drivers: Sequence[Driver], source: str) -> Driver | None:
     """The driver of a source, None where it drives none of these. drivers: those of the layer."""
     return next((driver for driver in drivers if driver.source == source), None)
+
+
+def way_back(distance: float) -> float:
+    """Seconds in which a weight goes a distance from rest to rest."""
+    return min(math.sqrt(_QUINTIC * distance / BACK_ACCELERATION), LONGEST_WAY_BACK)
 
 
 def fits(driver: Driver, frame: SourceFrame) -> bool:
@@ -144,5 +165,4 @@ def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
     silent = 0.0 if driver.source == CLIP else min(driver.silent + dt, LOSS_SECONDS)
     gap = LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
     steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
-    away = HEAD_BACK_SECONDS if silent >= HEAD_GAP_SECONDS else max(driver.away - dt, 0.0)
-    return with_fields(driver, silent=silent, steady=steady, away=away)
+    return with_fields(driver, silent=silent, steady=steady, away=max(driver.away - dt, 0.0))

@@ -24,7 +24,8 @@ class Layers:
     """All layers of a character; the vectors hold every follower, in the order of `columns`, and are never changed.
 
     drivers: the sources of each layer. owners: who has each part of it now; followed: whose frames each part shows,
-    which is another as long as one lets go. calm: nothing plays below the hands, so that they are immediate.
+    which is another as long as one lets go. calm: nothing plays below the hands, so that they are immediate. back: a
+    vector of where sources were seen last that have come back elsewhere; None where none is on its way back.
     """
 
     columns: Columns
@@ -37,6 +38,7 @@ class Layers:
     calm: bool = True
     owners: Mapping[LayerName, Owners] = field(default_factory=dict)
     followed: Mapping[LayerName, Owners] = field(default_factory=dict)
+    back: Values | None = None
 
 
 def trust_of(layers: Layers, layer: LayerName) -> Values:
@@ -100,6 +102,22 @@ def share_goal(layers: Layers) -> Values:
     return goal
 
 
+def eased_goal(layers: Layers) -> Values:
+    """All goals, those of sources on their way back between where they were seen last and where they are."""
+    if layers.back is None:
+        return layers.goal
+    returning = [(layer, driver) for layer, drivers in layers.drivers.items() for driver in drivers if driver.away]
+    if not returning:
+        return layers.goal
+    goal = layers.goal.copy()
+    for layer, driver in returning:
+        own = columns_of_source(layers, layer, driver.source)
+        streams = layers.columns.rows(goal, "streams")[DRIVEN.index(layer)]
+        seen = layers.columns.rows(layers.back, "streams")[DRIVEN.index(layer)]
+        streams[own] += driver.way_left * (seen[own] - streams[own])
+    return goal
+
+
 def with_share_goal(layers: Layers) -> Layers:
     """The layers on their way to the shares that are set."""
     return _woken(replace(layers, goal=share_goal(layers)))
@@ -132,7 +150,8 @@ def under(layers: Layers, columns: Columns) -> Layers:
     goal, first, second = (
         moved_to(vector, layers.columns, columns) for vector in (layers.goal, layers.first, layers.second)
     )
-    return replace(layers, columns=columns, goal=goal, first=first, second=second)
+    back = None if layers.back is None else moved_to(layers.back, layers.columns, columns)
+    return replace(layers, columns=columns, goal=goal, first=first, second=second, back=back)
 
 
 def _woken(layers: Layers) -> Layers:

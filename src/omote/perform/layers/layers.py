@@ -14,7 +14,6 @@ from omote.perform.channels import effective_channels, gaze_channels
 from omote.perform.frame import Gaze, Head, Held, with_fields
 from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, Pace, make_columns
 from omote.perform.layers.drivers import (
-    HEAD_BACK_SECONDS,
     NOBODY,
     STEADY_SECONDS,
     Driver,
@@ -25,6 +24,7 @@ from omote.perform.layers.drivers import (
     fits,
     owners_of,
     replace_driver,
+    way_back,
     with_driver,
 )
 from omote.perform.layers.follower import follow, steps_of
@@ -32,6 +32,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName
 from omote.perform.layers.layer_vectors import (
     Layers,
     columns_of_source,
+    eased_goal,
     places_of_source,
     plays,
     share_goal,
@@ -100,6 +101,9 @@ def are_hands_still(layers: Layers) -> bool:
     )
 
 
+HEAD_FARTHER = 3.0
+"""By which an angle of the head counts more than a weight, where a source comes back elsewhere: a turn of the head is a
+matter of a second."""
 LET_GO = 0.01
 """A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
 FADED = 1e-6
@@ -143,19 +147,21 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
 
     cast: whose expressions there are; layer: which.
     """
-    if not frame.found:
-        return layers  # silence counts from the last frame in which it was found
     driver = find_driver(layers.drivers.get(layer, ()), frame.source)
+    if not frame.found:  # silence counts from the last frame in which it was found
+        return layers if driver is None or driver.lost else _with_state(layers, layer, with_fields(driver, lost=True))
+    follows_on = frame.direct or (driver is not None and not driver.leaves and not driver.may_be_elsewhere)
     if driver is None or driver.leaves or not fits(driver, frame):
         layers = _plugged(cast, layers, layer, frame)
-    elif driver.silent or _pace(driver) != _pace(frame):
+    elif driver.silent or driver.lost or _pace(driver) != _pace(frame):
         heard = with_fields(
-            driver, silent=0.0, smoothing=frame.smoothing, share=frame.share, part_shares=frame.part_shares
+            driver, silent=0.0, lost=False, smoothing=frame.smoothing, share=frame.share, part_shares=frame.part_shares
         )
-        layers = _with_drivers(layers, layer, replace_driver(layers.drivers[layer], heard))
+        layers = _with_state(layers, layer, heard)
         if not driver.is_trusted:
             layers = _owned(layers, layer)
-    return _streamed(cast, layers, layer, frame)
+    later = _streamed(cast, layers, layer, frame)
+    return later if follows_on else _coming_back(layers, later, layer, frame.source)
 
 
 def _pace(sent: Driver | SourceFrame) -> tuple[float, float, tuple[float, ...]]:
@@ -173,11 +179,10 @@ def recalibrate(layers: Layers, layer: LayerName, source: str) -> Layers:
 
 def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
     """The layers after a source has gone: what it plays of a layer lets go."""
-    drivers = layers.drivers.get(layer, ())
-    driver = find_driver(drivers, source)
+    driver = find_driver(layers.drivers.get(layer, ()), source)
     if driver is None:
         return layers
-    return _owned(_with_drivers(layers, layer, replace_driver(drivers, replace(driver, leaves=True))), layer)
+    return _owned(_with_state(layers, layer, replace(driver, leaves=True)), layer)
 
 
 def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
@@ -201,7 +206,7 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
     goal[columns.sections["yielded"]] = [1.0 - share for share in kept]
-    return replace(layers, goal=goal, first=goal, second=goal, held=Held(), calm=True)
+    return replace(layers, goal=goal, first=goal, second=goal, held=Held(), calm=True, back=None)
 
 
 def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, still: bool) -> Layers:
@@ -233,6 +238,11 @@ def recast(cast: HasExpressions, layers: Layers) -> Layers:
 
 def _with_drivers(layers: Layers, layer: LayerName, drivers: tuple[Driver, ...]) -> Layers:
     return with_fields(layers, drivers={**layers.drivers, layer: drivers})
+
+
+def _with_state(layers: Layers, layer: LayerName, driver: Driver) -> Layers:
+    """The layers with another state of a driver."""
+    return _with_drivers(layers, layer, replace_driver(layers.drivers[layer], driver))
 
 
 def _with_followed(layers: Layers, layer: LayerName, followed: Owners) -> Layers:
@@ -295,18 +305,20 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         driver.is_trusted for layer_drivers in drivers.values() for driver in layer_drivers
     )  # nothing rests while one plays
     rate, haste = columns.stream_rates(_paces(layers))
-    first, second = follow(layers.first, layers.second, goal, rate, haste, dt, comes_to_rest=comes_to_rest)
-    return with_fields(layers, goal=goal, first=first, second=second)
+    layers = with_fields(layers, goal=goal)
+    eased = eased_goal(layers)
+    first, second = follow(layers.first, layers.second, eased, rate, haste, dt, comes_to_rest=comes_to_rest)
+    return with_fields(layers, first=first, second=second, back=None if eased is goal else layers.back)
 
 
 def _paces(layers: Layers) -> list[Pace]:
     """How sources are followed that are smoothed otherwise than their layers, or have only just come."""
     return [
         Pace(DRIVEN.index(layer), columns_of_source(layers, layer, driver.source), driver.smoothing,
-             driver.steady / STEADY_SECONDS, 1.0 - driver.away / HEAD_BACK_SECONDS)
+             driver.steady / STEADY_SECONDS)
         for layer, drivers in layers.drivers.items()
         for driver in drivers
-        if driver.smoothing or driver.steady < STEADY_SECONDS or driver.away
+        if driver.smoothing or driver.steady < STEADY_SECONDS
     ]  # fmt: skip
 
 
@@ -343,7 +355,10 @@ def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sour
     layers = with_names(cast, layers, frame.names)
     drivers = layers.drivers.get(layer, ())
     before = find_driver(drivers, frame.source)
-    layers = _with_drivers(layers, layer, with_driver(drivers, driver_of(frame)))
+    driver = driver_of(frame)
+    if before is not None:
+        driver = with_fields(driver, way=before.way, away=before.away)
+    layers = _with_drivers(layers, layer, with_driver(drivers, driver))
     if before is not None and before.names != frame.names and not frame.direct:
         layers = recalibrate(layers, layer, frame.source)
     return _owned(layers, layer)
@@ -367,6 +382,31 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
         name == frame.source and (frame.direct or part == 0.0) for name, part in zip(followed, trust, strict=True)
     )
     return _from_there(later, row, columns.in_parts(unseen)) if any(unseen) else later
+
+
+def _coming_back(before: Layers, later: Layers, layer: LayerName, source: str) -> Layers:
+    """The layers where a source, of which something shows, goes from where it was seen last to where it is, by an ease
+    that takes the longer the farther that is.
+
+    before: without its frame; later: with it.
+    """
+    columns = later.columns
+    row = DRIVEN.index(layer)
+    followed = later.followed.get(layer, NOBODY)
+    weighs = (trust_of(later, layer) >= LET_GO).tolist()
+    shown = columns.in_parts(tuple(name == source and shows for name, shows in zip(followed, weighs, strict=True)))
+    now = columns.rows(later.goal, "streams")[row]
+    seen = columns.rows(eased_goal(before), "streams")[row]
+    distances = np.abs(now - seen)
+    distances[HEAD] *= HEAD_FARTHER
+    way = way_back(float(distances[shown].max(initial=0.0)))
+    driver = find_driver(later.drivers[layer], source)
+    if driver is None or not (way or driver.away):
+        return later
+    own = columns_of_source(later, layer, source)
+    back = (later.goal if later.back is None else later.back).copy()
+    columns.rows(back, "streams")[row][own] = np.where(shown, seen, now)[own]
+    return _with_state(with_fields(later, back=back), layer, with_fields(driver, way=way, away=way))
 
 
 def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
@@ -440,7 +480,9 @@ def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName
         driver = ready[layer]
         if driver is None:
             continue
-        drivers[layer] = replace_driver(drivers[layer], with_fields(driver, silent=0.0, smoothing=frame.smoothing))
+        drivers[layer] = replace_driver(
+            drivers[layer], with_fields(driver, silent=0.0, lost=False, smoothing=frame.smoothing)
+        )
         row = DRIVEN.index(layer)
         own = columns_of_source(layers, layer, frame.source)
         stream, *shown = (layers.columns.rows(vector, "streams")[row] for vector in (goal, first, second))

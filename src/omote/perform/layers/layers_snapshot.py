@@ -11,7 +11,7 @@ from omote.arrays import Values
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Held
 from omote.perform.layers.columns import GAZE_PART, PLACES, Columns, HasExpressions, columns_of
-from omote.perform.layers.drivers import HEAD_BACK_SECONDS, NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
+from omote.perform.layers.drivers import LONGEST_WAY_BACK, NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layer_vectors import Layers, with_share_goal
 from omote.perform.layers.layers import recast
@@ -27,7 +27,8 @@ class LayersSnapshot:
     """The layers of a character: plain values, so msgspec writes and reads them exactly.
 
     names: of the columns; goal, first, second: every follower as little-endian float64. drivers: the sources of each
-    layer; one alone as it was written when a layer had one. followed: whom each part of a layer shows.
+    layer; one alone as it was written when a layer had one. followed: whom each part of a layer shows. back: where
+    sources were seen last that are on their way back, b"" where none is.
     """
 
     names: tuple[str, ...]
@@ -39,6 +40,7 @@ class LayersSnapshot:
     held: Held
     calm: bool
     followed: Mapping[LayerName, Owners] = field(default_factory=dict)
+    back: bytes = b""
 
 
 def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
@@ -56,6 +58,7 @@ def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
         held=layers.held,
         calm=layers.calm,
         followed=dict(layers.followed),
+        back=b"" if layers.back is None else layers.back.astype("<f8").tobytes(),
     )
 
 
@@ -78,10 +81,11 @@ def restored(cast: HasExpressions, snapshot: LayersSnapshot | None) -> Layers | 
         _vector(vector, columns, owners) for vector in (snapshot.goal, snapshot.first, snapshot.second)
     )
     settings = {layer: snapshot.settings[layer] for layer in LAYERS}
+    back = _vector(snapshot.back, columns, owners) if snapshot.back else None
     is_old = len(snapshot.goal) != 8 * columns.size
     layers = Layers(
         columns, goal, first, second, settings, drivers, snapshot.held, snapshot.calm, owners,
-        owners if is_old else dict(snapshot.followed),
+        owners if is_old else dict(snapshot.followed), back,
     )  # fmt: skip
     return recast(cast, with_share_goal(layers) if is_old else layers)
 
@@ -94,7 +98,8 @@ def _check_drivers(drivers: Mapping[LayerName, tuple[Driver, ...]], followed: Ma
     for driver in (driver for layer_drivers in drivers.values() for driver in layer_drivers):
         check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
         check_within(driver.steady, 0.0, STEADY_SECONDS, "the steady frames of a source (seconds)")
-        check_within(driver.away, 0.0, HEAD_BACK_SECONDS, "the way back of a source's head (seconds)")
+        for seconds in (driver.way, driver.away):
+            check_within(seconds, 0.0, LONGEST_WAY_BACK, "the way back of a source (seconds)")
         check_smoothing(driver.smoothing)
         check_share(driver.share)
         check_part_shares(driver.part_shares)
