@@ -142,7 +142,7 @@ async def call(stage: Stage, console: aiohttp.ClientWebSocketResponse, face: str
     await console.send_bytes(encode(CallFace("one", f"{os.getpid()} {face}", face, 1.0, "smooth")))
     state = await stage.until(face)
     one = state.characters["one"]
-    on_air = [name for name in (one.expressions | one.channels | one.lids) if name != "neutral"]
+    on_air = [name for name in (one.expressions | one.channels | one.added) if name != "neutral"]
     url = next(each.url for each in stage.manifest.faces if each.name == face)
     await asyncio.gather(stage.fetch(url), stage.fetch_compounds(face, on_air))
     here = time.monotonic()
