@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from omote.perform.easing import EASINGS
 from omote.perform.springs.cast_springs import SPRINGS
 from omote.perform.springs.spring import (
     CUT,
@@ -151,9 +152,28 @@ def test_a_swing_of_its_own_changes_its_speed_by_no_more_than_the_square_of_its_
 
 
 def test_what_can_hardly_be_seen_is_not_played() -> None:
-    assert weight_of(EARS, 0.003 / EARS.gain, 0.0, 1.0) == 0.0
-    assert weight_of(EARS, -0.003 / EARS.gain, 0.0, 1.0) == 0.0
-    assert 0.0 < weight_of(EARS, 0.0042 / EARS.gain, 0.0, 1.0) < 0.001
+    assert weight_of(EARS, 0.00028 / EARS.gain, 0.0, 1.0) == 0.0
+    assert weight_of(EARS, -0.00028 / EARS.gain, 0.0, 1.0) == 0.0
+    assert 0.0 < weight_of(EARS, 0.00032 / EARS.gain, 0.0, 1.0) < 0.0001
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.25, 0.5, 0.75])
+@pytest.mark.parametrize("spring", SPRINGS.values(), ids=SPRINGS)
+def test_a_small_sway_that_becomes_a_turn_begins_to_be_seen_without_a_jump(spring: Spring, phase: float) -> None:
+    dt = 1.0 / 240.0
+    hertz = spring.frequency / 2.0
+    turns = 1.0 + phase / hertz
+    state = SpringState()
+    shown = []
+    left_out = []
+    for time in np.arange(0.0, turns + 0.8, dt).tolist():
+        sway = 0.003 / spring.gain * math.sin(math.tau * hertz * time)
+        turn = 0.3 * EASINGS["smooth"].value(min(max(time - turns, 0.0) / 0.5, 1.0))
+        state = advance_spring(spring, state, sway + turn, dt)
+        whole = spring.gain * state.turn
+        shown.append(weight_of(spring, state.turn, state.speed, 1.0))
+        left_out.append(whole / math.hypot(1.0, whole / spring.limit) - shown[-1])
+    assert np.abs(np.diff(left_out, 2)).max() < np.abs(np.diff(shown)).max() / 16.0
 
 
 def test_a_swing_that_is_seen_goes_through_its_middle_without_a_stop() -> None:

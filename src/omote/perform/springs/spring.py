@@ -27,8 +27,9 @@ _TERMS = 8
 _LARGEST = 0.25
 _SMALL_TURN = 1e-6
 _SMALL_SPEED = 1e-5
-_DEAD = 0.004
-"""Of a weight: what is smaller is not played, so that a head that breathes leaves the channel alone."""
+_DEAD = 0.0003
+"""Of a weight: what is smaller is not played, so that a head that breathes leaves the channel alone. As much may show
+at once where a swing grows: with .004 cheeks then changed their speed by 1/7 of the largest in 1/240 s."""
 TURNS = ("yaw", "pitch", "roll", "x")
 """Drivers that are no channels."""
 RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
