@@ -105,7 +105,7 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
   float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);
   vec3 fallen = KEY_LIGHT * key * direct * 0.9;
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
-  sky *= mix(vec3(1.0, 0.80, 0.74), vec3(1.0), around); // deep inside, all of it has been on flesh before
+  sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around); // deep inside, all of it has been on flesh before
   vec3 walls = (vec3(0.20, 0.055, 0.045) * around * around + vec3(0.08, 0.026, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
   vec3 shut = SEAM * (KEY_LIGHT + FILL_LIGHT) * vLight.z; // between closed lips: their own wet dark red, not a black slit
   vec3 light = albedo * (fallen + sky + walls);
@@ -136,9 +136,9 @@ void main() {
   vec3 side = headTurn * vec3(1.0, 0.0, 0.0);
   vec3 back = headTurn * vec3(0.0, 0.0, 1.0);
   normal = normalize(normal + side * (0.5 * furrow * sign(-vSpot.y) * smoothstep(0.0, 0.06, abs(vSpot.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
-  vec3 flesh = mix(vec3(0.42, 0.115, 0.105), vec3(0.50, 0.21, 0.19), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
+  vec3 flesh = mix(vec3(0.54, 0.17, 0.155), vec3(0.62, 0.28, 0.255), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
   flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.35 * clamp(vSpot.x, 0.0, 1.0));
-  colour = premultiplied(lit(flesh, normal, 0.7, 0.16 * (1.0 + bumps.a)), 1.0);
+  colour = premultiplied(lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a)), 1.0);
 }
 `;
 
