@@ -10,7 +10,7 @@ const ACROSS = {
 } as const;
 
 /** Teeth of a half that show most. */
-const FRONT_TEETH = 3;
+const FRONT_TEETH = 2;
 
 /** Steps along the cage in which its arch is measured. */
 const STEPS = 16 * (COLUMNS - 1);

@@ -13,7 +13,7 @@ import { TONGUE_FRAGMENT, TONGUE_VERTEX } from "./mouth_shaders";
 import { type Cages, COLUMNS } from "./teeth_cage";
 
 /** Edges of the drawn tongue at most, metres on the generic face. */
-const LONGEST = 0.006;
+const LONGEST = 0.01;
 
 /** The furrow's depth and half its width; how much thinner the sides are at the tip, and how much more at the root; metres. */
 const FURROW = 0.0014;

@@ -150,7 +150,9 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
   seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.06), at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
+#ifdef DETAIL
   seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)); // to and fro between the walls of the mouth
+#endif
   return seen;
 }
 `;
@@ -226,21 +228,23 @@ out vec3 vNormal;
 
 /** The lining of the mouth lies so close around gums and crowns that its triangles cut them: it is drawn as if it lay deeper. */
 vec4 drawnDeeper(vec3 point) {
-  vec4 seen = modelViewMatrix * vec4(point, 1.0);
-  vec4 place = projectionMatrix * seen;
-  if (behind <= 0.0) return place;
-  vec4 deeper = projectionMatrix * (seen - vec4(0.0, 0.0, ${DEEPER} * smoothstep(0.0, 0.003, behind), 0.0));
-  return vec4(place.xy, deeper.z / deeper.w * place.w, place.w);
+  vec4 place = project(point);
+  float deeper = ${DEEPER} * smoothstep(0.0, 0.003, behind);
+  place.z = (place.z - projectionMatrix[2][2] * deeper) * place.w / (place.w + deeper);
+  return place;
 }
 
+#ifdef DETAIL
 /** How much light comes through the lips to the lining of the mouth: as to teeth and tongue (mouth_shaders.ts), by one opening. */
 float entering(vec3 here) {
-  if (behind <= 0.0) return 1.0;
   vec3 right = rowAt(lipRows.x), left = rowAt(lipRows.y), upper = rowAt(lipRows.z), lower = rowAt(lipRows.w);
   float area = 1.2 * max(upper.y - lower.y, 0.0) * (left.x - right.x);
   float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
   return mix(1.0, area / (area + 6.0 * deep * deep + 2e-5), smoothstep(0.002, 0.010, behind));
 }
+#else
+float entering(vec3 here) { return 1.0; }
+#endif
 
 float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
 
