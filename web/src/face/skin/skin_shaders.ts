@@ -38,7 +38,7 @@ const GLOW = "0.42";
 const WALLS = "0.24";
 
 /** How much deeper the lining of the mouth is drawn, metres. */
-const DEEPER = "0.020";
+const DEEPER = "0.012";
 
 /** What falls on the skin at one vertex, before its colour: for slow machines. */
 const VERTEX_LIGHT = `
@@ -229,7 +229,7 @@ out vec3 vNormal;
 /** The lining of the mouth lies so close around gums and crowns that its triangles cut them: it is drawn as if it lay deeper. */
 vec4 drawnDeeper(vec3 point) {
   vec4 place = project(point);
-  float deeper = ${DEEPER} * smoothstep(0.0, 0.003, behind);
+  float deeper = ${DEEPER} * smoothstep(0.0, 0.003, behind) * (1.0 - 0.85 * smoothstep(0.015, 0.03, behind)); // far inside, the head's other side is near
   place.z = (place.z - projectionMatrix[2][2] * deeper) * place.w / (place.w + deeper);
   return place;
 }
