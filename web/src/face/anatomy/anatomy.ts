@@ -4,6 +4,7 @@ import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
 import { HAIRLINE } from "../../link/constants";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
+import { bagDepths, lipRows } from "./mouth_bag";
 import { type RegionMasks, readRegionMasks } from "./region_masks";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
@@ -20,6 +21,10 @@ export interface Anatomy {
   positions: Float32Array;
   /** Rows of the lines around the openings, by name, in walking order. */
   lines: ReadonlyMap<string, Uint32Array>;
+  /** How far each row lies behind the lips, metres along the lining of the mouth; 0 outside of it. */
+  bag: Float32Array;
+  /** Rows of the lips' right and left corner, and of the middle of their upper and lower edge. */
+  lips: readonly [number, number, number, number];
   /** How sums are put right, where the cast says so. */
   correctives: CorrectivesData | undefined;
   /** What belongs to which region, where the cast says so. */
@@ -49,7 +54,11 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
   const sky = smoothed(around, openness(library), 1, 1);
   const traits = readTraits(around, positions, rim, library.manifest.skin, sky);
   const eyes = eyeRows(library.meshes);
-  return { fans: around, traits, rim, eyeRows: eyes, positions, lines: library.lines, ...readDocuments(library) };
+  const { lines, manifest } = library;
+  const line = lines.get("lips") ?? [];
+  const bag = bagDepths(around, positions, line, rim[0] ?? 0, manifest.skin);
+  const lips = lipRows(line, positions);
+  return { fans: around, traits, rim, eyeRows: eyes, positions, lines, bag, lips, ...readDocuments(library) };
 }
 
 function readDocuments({ manifest }: Library): Pick<Anatomy, "correctives" | "regions"> {

@@ -39,7 +39,7 @@ export function fans(triangles: readonly Uint32Array[], rows: number): Fans {
 }
 
 /** Visits the neighbours of a row (each as often as triangles share the edge). */
-function neighbours(of: Fans, row: number, visit: (other: number) => void): void {
+export function neighbours(of: Fans, row: number, visit: (other: number) => void): void {
   for (let slot = 2 * (of.starts[row] as number); slot < 2 * (of.starts[row + 1] as number); slot++)
     visit(of.pairs[slot] as number);
 }

@@ -14,7 +14,8 @@ import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import type { EyeTraits } from "./eye_traits";
 import { eyeball } from "./eyeballs";
 import { lashes } from "./lashes";
-import { mouthPart } from "./mouth";
+import { mouthParts } from "./mouth";
+import { type Cages, cagesOf } from "./teeth_cage";
 
 /** The colours of a look, which the shaders take in linear light. */
 export const LOOK_COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
@@ -92,9 +93,10 @@ export interface HeadParts {
 /** The whole head as a scene. */
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
+  const cages = cagesOf(from.meshes, from.anatomy.positions);
   for (const mesh of from.meshes)
     if (mesh.name !== "lashes")
-      for (const part of drawn(mesh, from)) head.add(Object.assign(part, { name: mesh.name }));
+      for (const part of drawn(mesh, from, cages)) head.add(Object.assign(part, { name: mesh.name }));
   const fast = !from.features.pixelLight;
   const grown = lashes(from.anatomy, from.shared, fast);
   if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
@@ -110,7 +112,7 @@ export function buildHead(from: HeadParts): THREE.Group {
   return head;
 }
 
-function drawn(mesh: Mesh, from: HeadParts): THREE.Mesh[] {
+function drawn(mesh: Mesh, from: HeadParts, cages: Cages): THREE.Mesh[] {
   const { anatomy, shared, eyes, features } = from;
   switch (mesh.name) {
     case "eye_left":
@@ -121,7 +123,7 @@ function drawn(mesh: Mesh, from: HeadParts): THREE.Mesh[] {
     case "teeth_upper":
     case "teeth_lower":
     case "tongue":
-      return [mouthPart(geometryOf(mesh), mesh, anatomy, shared, features)];
+      return mouthParts(geometryOf(mesh), mesh, anatomy, cages, shared, features);
     default:
       return skinParts(geometryOf(mesh), mesh, anatomy, shared);
   }

@@ -9,10 +9,31 @@ import { extent } from "../anatomy/topology";
 import { COVERAGE, material, type Uniforms } from "../gpu/renderer";
 import type { Features } from "../quality/quality_levels";
 import { edgeUniforms } from "./eyeballs";
-import { MOUTH_VERTEX, TEETH_FRAGMENT, TONGUE_FRAGMENT } from "./mouth_shaders";
+import { TEETH_FRAGMENT, TEETH_VERTEX } from "./mouth_shaders";
+import type { Cages, Column } from "./teeth_cage";
+import { SHEET_FRAGMENT, SHEET_VERTEX } from "./teeth_shaders";
+import { type Sheet, teethSheet } from "./teeth_sheet";
+import { tongueParts } from "./tongue";
 
 /** Teeth or tongue, lit through the lips. */
-export function mouthPart(
+export function mouthParts(
+  geometry: THREE.BufferGeometry,
+  mesh: Mesh,
+  anatomy: Anatomy,
+  cages: Cages,
+  uniforms: Uniforms,
+  features: Features,
+): THREE.Mesh[] {
+  const lit = { ...uniforms, ...edgeUniforms(lips(mesh, anatomy)) };
+  if (mesh.name === "tongue") return tongueParts(geometry, mesh, anatomy, cages, lit, features);
+  const upper = mesh.name === "teeth_upper";
+  const cage = upper ? cages.upper : cages.lower;
+  if (cage === undefined || !features.detail) return [strip(geometry, mesh, anatomy, lit, features)];
+  return [sheetPart(teethSheet(cage, anatomy.positions, upper), cage, lit)];
+}
+
+/** Teeth as the cast has them. */
+function strip(
   geometry: THREE.BufferGeometry,
   mesh: Mesh,
   anatomy: Anatomy,
@@ -20,12 +41,27 @@ export function mouthPart(
   { multisample }: Features,
 ): THREE.Mesh {
   geometry.setAttribute("place", new THREE.BufferAttribute(places(mesh, anatomy.positions), 4));
-  const look = material(MOUTH_VERTEX, mesh.name === "tongue" ? TONGUE_FRAGMENT : TEETH_FRAGMENT, {
-    ...uniforms,
-    ...edgeUniforms(lips(mesh, anatomy)),
-  });
+  const look = material(TEETH_VERTEX, TEETH_FRAGMENT, uniforms);
   look.side = THREE.DoubleSide;
   if (multisample) Object.assign(look, COVERAGE, { defines: { SOFT: "" } });
+  return new THREE.Mesh(geometry, look);
+}
+
+/** Teeth, gums and palate or floor in the cage of a jaw. */
+function sheetPart(sheet: Sheet, columns: readonly Column[], uniforms: Uniforms): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(sheet.triangles, 1));
+  const put = (name: string, values: Float32Array) => geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
+  put("person", sheet.person.places);
+  put("personFacing", sheet.person.facings);
+  put("carnivore", sheet.carnivore.places);
+  put("carnivoreFacing", sheet.carnivore.facings);
+  put("marks", sheet.marks);
+  const look = material(SHEET_VERTEX, SHEET_FRAGMENT, {
+    ...uniforms,
+    cage: { value: Int32Array.from(columns.flat()) },
+  });
+  look.side = THREE.DoubleSide;
   return new THREE.Mesh(geometry, look);
 }
 

@@ -2,38 +2,20 @@
 
 import { EDGE_POINTS } from "../anatomy/openings";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
+import { SURFACE } from "../skin/skin_shaders";
 import { OPENING } from "./opening_shaders";
 
-/** In an open mouth lower teeth and tongue lie in front of the lining that is so many metres before them: it wraps around them. */
-const AHEAD = "0.002";
-
 /**
- * Teeth and tongue: each vertex asks the blended lips what comes in to it. The key light comes straight through the
- * opening, or not at all; the rest by how large the opening looks from here.
+ * What comes in to a place in the mouth: the key light comes straight through the lips' opening, or not at all; the rest by
+ * how large the opening looks from there.
  */
-export const MOUTH_VERTEX = `${VERTEX_HEAD}${OPENING}
+export const MOUTH_LIGHT = `${VERTEX_HEAD}${OPENING}
 uniform vec3 KEY;
-uniform vec3 viewPoint;
-in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1), upper jaw (1) or not
 out vec3 vPoint;
 out vec3 vNormal;
-out vec4 vPlace;
 out vec3 vLight; // of the key, of what comes from everywhere, and how far the lips are shut
 
-/** The depth of a point so many metres nearer to the camera. */
-float inFront(vec3 point, float nearer) {
-  vec4 seen = modelViewMatrix * vec4(point, 1.0);
-  vec4 place = projectionMatrix * (seen + vec4(0.0, 0.0, nearer, 0.0));
-  return place.z / place.w;
-}
-
-void main() {
-  vec3 here = fetchRow(positions);
-  vPoint = turned(here, 1.0);
-  vNormal = turnedNormal(fetchRow(normals), 1.0);
-  vPlace = place;
-  gl_Position = project(vPoint);
-
+vec3 lightAt(vec3 here) {
   float middle = 0.5 * (rowAt(upperRows[0]).x + rowAt(upperRows[${EDGE_POINTS - 1}]).x);
   float half_ = 0.5 * abs(rowAt(upperRows[${EDGE_POINTS - 1}]).x - rowAt(upperRows[0]).x);
   Gap ahead = gapAt(middle + clamp(0.7 * (here.x - middle), -0.7 * half_, 0.7 * half_)); // cheeks are seen through it too
@@ -49,22 +31,68 @@ void main() {
   vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
   float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
   float parted = smoothstep(0.0, 0.004, high);
-  vec3 view = (viewPoint - vPoint) * headTurn;
-  vec2 seenAt = here.xy + view.xy / max(view.z, 0.25 * length(view)) * deep;
-  vec2 through = insideOf(gapAt(seenAt.x), seenAt); // never through the chin: only what is seen between the lips
-  float shown = smoothstep(0.0, 0.004, min(through.x, through.y)) * smoothstep(0.006, 0.014, high);
-  gl_Position.z = inFront(vPoint, ${AHEAD} * (1.0 - place.w) * shown) * gl_Position.w;
   float within = smoothstep(-0.003, 0.002, behind); // a tongue that is out is in the light
-  vLight = vec3(mix(vec2(1.0), vec2(direct, sky) * parted, within), (1.0 - parted) * within);
+  return vec3(mix(vec2(1.0), vec2(direct, sky) * parted, within), (1.0 - parted) * within);
 }
 `;
 
-const MOUTH_HEAD = `${FRAGMENT_HEAD}
+/** Teeth as the cast's own strips. */
+export const TEETH_VERTEX = `${MOUTH_LIGHT}
+in vec4 place; // depth in the mouth, angle on the arch, height from the gum (0) to the edge (1), upper jaw (1) or not
+out vec4 vPlace;
+
+void main() {
+  vec3 here = fetchRow(positions);
+  vPoint = turned(here, 1.0);
+  vNormal = turnedNormal(fetchRow(normals), 1.0);
+  vPlace = place;
+  vLight = lightAt(here);
+  gl_Position = project(vPoint);
+}
+`;
+
+/**
+ * The tongue. The cast's goes with the chin as one piece and stays high when the jaw opens; one that does nothing of its
+ * own lies down between the teeth, its root less.
+ */
+export const TONGUE_VERTEX = `${MOUTH_LIGHT}${SURFACE}
+uniform ivec4 jaw; // of the lower teeth: gum and edge in front, edges at the right and the left end
+uniform ivec2 tips; // of the upper teeth's edge in front, of the tongue
+uniform vec2 tipAtRest; // up and ahead of the lower edge, in widths of the arch
+in vec3 spot; // behind the tip, aside of the middle, metres along the normal (spotAt in tongue.ts)
+out vec2 vSpot;
+
+/** Where the tongue lies down to in an open mouth. */
+vec3 sunk() {
+  vec3 edge = rowAt(jaw.y), right = rowAt(jaw.z), left = rowAt(jaw.w);
+  vec3 up = normalize(edge - rowAt(jaw.x));
+  vec3 ahead = normalize(edge - 0.5 * (right + left));
+  float width = distance(right, left);
+  vec3 tip = rowAt(tips.y) - edge;
+  float own = distance(vec2(dot(tip, up), dot(tip, ahead)) / width, tipAtRest);
+  float open = smoothstep(0.06, 0.6, (rowAt(tips.x).y - edge.y) / width);
+  float still = 1.0 - smoothstep(0.08, 0.2, own);
+  return -0.22 * width * up * open * still * (1.0 - 0.45 * clamp(spot.x, 0.0, 1.0));
+}
+
+void main() {
+  vec3 normal;
+  vec3 here = surface(normal);
+  here += spot.z * normal + (jaw.z == jaw.w ? vec3(0.0) : sunk());
+  vPoint = turned(here, 1.0);
+  vNormal = turnedNormal(normal, 1.0);
+  vSpot = spot.xy;
+  vLight = lightAt(here);
+  gl_Position = project(vPoint);
+}
+`;
+
+/** Light on what is wet in the mouth, for its fragments. */
+export const MOUTH_HEAD = `${FRAGMENT_HEAD}
 uniform mat3 headTurn;
 uniform sampler2D grain;
 in vec3 vPoint;
 in vec3 vNormal;
-in vec4 vPlace;
 in vec3 vLight;
 
 const vec3 SEAM = vec3(0.075, 0.016, 0.013);
@@ -77,7 +105,8 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
   float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);
   vec3 fallen = KEY_LIGHT * key * direct * 0.9;
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
-  vec3 walls = vec3(0.20, 0.055, 0.045) * KEY_LIGHT * around * around;
+  sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around); // deep inside, all of it has been on flesh before
+  vec3 walls = (vec3(0.20, 0.055, 0.045) * around * around + vec3(0.08, 0.026, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
   vec3 shut = SEAM * (KEY_LIGHT + FILL_LIGHT) * vLight.z; // between closed lips: their own wet dark red, not a black slit
   vec3 light = albedo * (fallen + sky + walls);
   float gleam = shine(normal, view, KEY, 60.0) + 0.35 * shine(normal, view, KEY, 14.0);
@@ -92,10 +121,11 @@ vec3 facing() { return normalize(gl_FrontFacing ? vNormal : -vNormal); }
 
 /** The tongue: a furrow along its middle, papillae, wet. */
 export const TONGUE_FRAGMENT = `${MOUTH_HEAD}
+in vec2 vSpot;
 void main() {
   vec3 normal = facing();
-  float furrow = exp(-pow(vPlace.y / 0.10, 2.0));
-  vec2 at = vec2(vPlace.y * 0.55, vPlace.x * 1.1);
+  float furrow = exp(-pow(vSpot.y / 0.10, 2.0));
+  vec2 at = vec2(vSpot.y * 0.55, vSpot.x * 1.1);
 #ifdef DETAIL
   vec4 bumps = texture(grain, at * 1.9) - 0.5;
   vec4 patch_ = texture(grain, at * 0.6) - 0.5;
@@ -105,15 +135,16 @@ void main() {
 #endif
   vec3 side = headTurn * vec3(1.0, 0.0, 0.0);
   vec3 back = headTurn * vec3(0.0, 0.0, 1.0);
-  normal = normalize(normal + side * (0.5 * furrow * sign(-vPlace.y) * smoothstep(0.0, 0.06, abs(vPlace.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
-  vec3 flesh = mix(vec3(0.42, 0.115, 0.105), vec3(0.50, 0.21, 0.19), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
-  flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.35 * clamp(vPlace.x, 0.0, 1.0));
-  colour = premultiplied(lit(flesh, normal, 0.7, 0.16 * (1.0 + bumps.a)), 1.0);
+  normal = normalize(normal + side * (0.5 * furrow * sign(-vSpot.y) * smoothstep(0.0, 0.06, abs(vSpot.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
+  vec3 flesh = mix(vec3(0.54, 0.17, 0.155), vec3(0.62, 0.28, 0.255), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
+  flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.35 * clamp(vSpot.x, 0.0, 1.0));
+  colour = premultiplied(lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a)), 1.0);
 }
 `;
 
-/** Teeth: each with its own width, length and roundness, gum that climbs between them. */
+/** Teeth as strips: each with its own width, length and roundness, gum that climbs between them. */
 export const TEETH_FRAGMENT = `${MOUTH_HEAD}
+in vec4 vPlace;
 uniform float age;
 
 /** Place across the tooth (-1..1), half its width in radians, its number from the middle. */

@@ -6,19 +6,23 @@ import { material, type Uniforms } from "../gpu/renderer";
 import { type CurvedTriangles, divideLong, LONGEST_EDGE } from "./curved_triangles";
 import { SKIN_FRAGMENT, SKIN_VERTEX } from "./skin_shaders";
 
-/** What the skin takes of the generic face, per row: its position (metres) and its four traits. */
+/** What the skin takes of the generic face, per row: its position (metres), its four traits, and how far it lies behind the lips, whose
+ * right and left corner, upper and lower middle are named: four rows. */
 interface SkinRows {
   readonly positions: Float32Array;
   readonly traits: Float32Array;
+  readonly bag: Float32Array;
+  readonly lips: readonly number[];
 }
 
 /** The skin on `geometry` (index and rows of the mesh): its small triangles, then the large ones of crown, nape and neck. */
 export function skinParts(
   geometry: THREE.BufferGeometry,
   mesh: Mesh,
-  { positions, traits }: SkinRows,
-  shared: Uniforms,
+  { positions, traits, bag, lips }: SkinRows,
+  common: Uniforms,
 ): THREE.Mesh[] {
+  const shared = { ...common, lipRows: { value: new THREE.Vector4().fromArray([...lips]) } };
   const place = (vertex: number) => {
     const row = mesh.source[vertex] as number;
     return Array.from(positions.subarray(3 * row, 3 * row + 3));
@@ -27,15 +31,23 @@ export function skinParts(
   const seen = Float32Array.from({ length: 4 * mesh.source.length }, (_, at) => {
     return traits[4 * (mesh.source[at >> 2] as number) + (at & 3)] as number;
   });
+  const behind = Float32Array.from(mesh.source, (row) => bag[row] as number);
   geometry.setIndex(new THREE.BufferAttribute(divided.flat, 1));
   geometry.setAttribute("uv", new THREE.BufferAttribute(mesh.uv, 2));
   geometry.setAttribute("traits", new THREE.BufferAttribute(seen, 4));
+  geometry.setAttribute("behind", new THREE.BufferAttribute(behind, 1));
   const parts = [casting(geometry, shared)];
-  if (divided.curved.length > 0) parts.push(curvedPart(divided, mesh, seen, shared));
+  if (divided.curved.length > 0) parts.push(curvedPart(divided, mesh, seen, behind, shared));
   return parts;
 }
 
-function curvedPart(divided: CurvedTriangles, mesh: Mesh, traits: Float32Array, shared: Uniforms): THREE.Mesh {
+function curvedPart(
+  divided: CurvedTriangles,
+  mesh: Mesh,
+  traits: Float32Array,
+  behind: Float32Array,
+  shared: Uniforms,
+): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
   const rows = Float32Array.from(divided.corners, (vertex) => mesh.source[vertex] as number);
   geometry.setIndex(new THREE.BufferAttribute(divided.curved, 1));
@@ -43,13 +55,14 @@ function curvedPart(divided: CurvedTriangles, mesh: Mesh, traits: Float32Array, 
   geometry.setAttribute("shares", new THREE.BufferAttribute(divided.shares, 3));
   geometry.setAttribute("uv", new THREE.BufferAttribute(between(divided, mesh.uv, 2), 2));
   geometry.setAttribute("traits", new THREE.BufferAttribute(between(divided, traits, 4), 4));
+  geometry.setAttribute("behind", new THREE.BufferAttribute(between(divided, behind, 1), 1));
   const part = casting(geometry, shared);
   (part.material as THREE.RawShaderMaterial).defines = { CURVED: "" };
   return part;
 }
 
 /** Values of the mesh's vertices between them; `width` numbers a vertex. */
-function between({ corners, shares }: CurvedTriangles, values: Float32Array, width: number): Float32Array {
+export function between({ corners, shares }: CurvedTriangles, values: Float32Array, width: number): Float32Array {
   return Float32Array.from({ length: (width * corners.length) / 3 }, (_, at) => {
     const first = 3 * Math.floor(at / width);
     return [0, 1, 2].reduce((sum, corner) => {

@@ -34,6 +34,12 @@ vec3 deepened(vec3 albedo, float flesh) {
 /** How much light is left on lips and in the mouth's lining at least: lips that part let it in, and flesh lets it through. */
 const GLOW = "0.42";
 
+/** The share of the key light that the lining of a wide open mouth shows. */
+const WALLS = "0.24";
+
+/** How much deeper the lining of the mouth is drawn, metres. */
+const DEEPER = "0.012";
+
 /** What falls on the skin at one vertex, before its colour: for slow machines. */
 const VERTEX_LIGHT = `
 uniform vec3 skin;
@@ -144,6 +150,9 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
   seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.06), at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
+#ifdef DETAIL
+  seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)); // to and fro between the walls of the mouth
+#endif
   return seen;
 }
 `;
@@ -152,7 +161,7 @@ vec3 lit(Layers layers, Ground at, float open) {
  * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
  * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
  */
-const SURFACE = `
+export const SURFACE = `
 #ifdef CURVED
 in vec3 rows;
 in vec3 shares;
@@ -202,6 +211,8 @@ vec4 layer(sampler2D picture) { return texture(picture, vUv); }
 export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
+in float behind; // metres behind the lips
+uniform ivec4 lipRows; // right and left corner, the middle of the upper and of the lower edge
 ${SURFACE}
 #ifdef FAST
 uniform float scalp;
@@ -215,26 +226,48 @@ out vec3 vPoint;
 out vec3 vNormal;
 #endif
 
+/** The lining of the mouth lies so close around gums and crowns that its triangles cut them: it is drawn as if it lay deeper. */
+vec4 drawnDeeper(vec3 point) {
+  vec4 place = project(point);
+  float deeper = ${DEEPER} * smoothstep(0.0, 0.003, behind) * (1.0 - 0.85 * smoothstep(0.015, 0.03, behind)); // far inside, the head's other side is near
+  place.z = (place.z - projectionMatrix[2][2] * deeper) * place.w / (place.w + deeper);
+  return place;
+}
+
+#ifdef DETAIL
+/** How much light comes through the lips to the lining of the mouth: as to teeth and tongue (mouth_shaders.ts), by one opening. */
+float entering(vec3 here) {
+  vec3 right = rowAt(lipRows.x), left = rowAt(lipRows.y), upper = rowAt(lipRows.z), lower = rowAt(lipRows.w);
+  float area = 1.2 * max(upper.y - lower.y, 0.0) * (left.x - right.x);
+  float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
+  return mix(1.0, area / (area + 6.0 * deep * deep + 2e-5), smoothstep(0.002, 0.010, behind));
+}
+#else
+float entering(vec3 here) { return 1.0; }
+#endif
+
 float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
 
 void main() {
   vec3 normal;
-  vec3 point = turned(surface(normal), traits.x);
+  vec3 here = surface(normal);
+  vec3 point = turned(here, traits.x);
+  float light = traits.w * entering(here);
   normal = turnedNormal(normal, traits.x);
   float open = openness(traits.y);
 #ifdef FAST
-  Fall light = fall(point, normal, open, traits.z * scalp);
-  vec2 shines = traits.w * open * light.gloss;
+  Fall fallen = fall(point, normal, open, traits.z * scalp);
+  vec2 shines = light * open * fallen.gloss;
   vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.06 / max(hair, 0.02), traits.z * scalp); // as the colour that they are multiplied with wants it
   vPaint = vec4(uv, traits.z, shines.x + 1.2 * shines.y);
-  vLight = vec4(traits.w * (light.diffuse + light.rim * edges * RIM_LIGHT), 3.0 * shines.y);
+  vLight = vec4(light * (fallen.diffuse + fallen.rim * edges * RIM_LIGHT), 3.0 * shines.y);
 #else
   vUv = uv;
-  vTraits = vec3(open, traits.zw);
+  vTraits = vec3(open, traits.z, light);
   vPoint = point;
   vNormal = normal;
 #endif
-  gl_Position = project(point);
+  gl_Position = drawnDeeper(point);
 }
 `;
 

@@ -280,6 +280,10 @@ export class DrawnFace {
     for (const mesh of this.head.children)
       mesh.visible = mesh.name === "lashes" ? eyes.includes(true) : (eyes[EYES.indexOf(mesh.name)] ?? false);
     for (const part of this.partsFor(camera)) {
+      if (MOUTH.includes(part.mesh.name)) {
+        Object.assign(part.mesh, { geometry: part.whole, visible: true });
+        continue;
+      }
       if (cover && places) {
         part.count = cut(part, places, cover.box, slack, part.index.array as Uint32Array);
         part.some.setDrawRange(0, part.count);
@@ -370,6 +374,10 @@ export class DrawnFace {
 const SHUT = 0.0003;
 /** The meshes of the eyeballs, left and right. */
 const EYES = ["eye_left", "eye_right"];
+/** Meshes that are drawn as a whole or not at all: what shows of them is not where their rows are. */
+const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
+
+const NO_ROWS = new THREE.BufferAttribute(new Float32Array(), 1);
 
 const dataOf = ({ value }: HeadUniforms["positions"]): Float32Array =>
   (value as THREE.DataTexture).image.data as unknown as Float32Array;
@@ -380,9 +388,10 @@ function rowTexture(rows: number): THREE.DataTexture {
   return new THREE.DataTexture(data, ROW_WIDTH, lines, THREE.RGBAFormat, THREE.FloatType);
 }
 
-/** What of a mesh can be drawn in part; nothing where its vertices are not on rows. */
+/** What of a mesh can be drawn in part; nothing where its vertices are not on rows, but the mouth, which is drawn as a whole. */
 function partOf(mesh: THREE.Mesh, whole: THREE.BufferGeometry): Part[] {
-  const on = whole.getAttribute("source") ?? whole.getAttribute("rows");
+  const on =
+    whole.getAttribute("source") ?? whole.getAttribute("rows") ?? (MOUTH.includes(mesh.name) ? NO_ROWS : undefined);
   if (on === undefined || whole.index === null) return [];
   const some = new THREE.BufferGeometry();
   const index = new THREE.BufferAttribute(new Uint32Array(whole.index.count), 1);

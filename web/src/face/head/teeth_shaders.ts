@@ -1,0 +1,91 @@
+/** Shaders of the teeth's sheet: gums, crowns, palate and floor. */
+
+import { MOUTH_HEAD, MOUTH_LIGHT } from "./mouth_shaders";
+import { COLUMN_ROWS, COLUMNS } from "./teeth_cage";
+
+/**
+ * A vertex keeps its place in the cage (`CagePlace`): a spline along the arch of what stands between the four rows of a
+ * column. It is a sum of rows with weights of sum 1, so whatever moves the rows as a whole moves it along.
+ */
+export const SHEET_VERTEX = `${MOUTH_LIGHT}
+uniform int cage[${COLUMN_ROWS * COLUMNS}]; // gum, middle, edge, behind of each column
+uniform float fur;
+in vec3 person; // column, up, inward
+in vec3 personFacing;
+in vec3 carnivore;
+in vec3 carnivoreFacing;
+in vec3 marks; // height, running number of the tooth, share of the other side
+out vec2 vMarks;
+
+/** A place in the cage, and the steps that lead away from it. */
+struct Place { vec3 point; vec3 along; vec3 up; vec3 inward; };
+
+Place placeAt(float column, float up, float inward) {
+  int first = min(int(column), ${COLUMNS - 2});
+  float t = column - float(first);
+  vec4 shares = vec4(t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (1.5 * t - 2.5), t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (0.5 * t - 0.5));
+  vec4 slopes = vec4(-0.5 + t * (2.0 - 1.5 * t), t * (4.5 * t - 5.0), 0.5 + t * (4.0 - 4.5 * t), t * (1.5 * t - 1.0));
+  Place place = Place(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  for (int n = 0; n < 4; n++) {
+    int row = ${COLUMN_ROWS} * clamp(first - 1 + n, 0, ${COLUMNS - 1});
+    vec3 edge = rowAt(cage[row + 2]);
+    vec3 rise = rowAt(cage[row]) - edge;
+    vec3 back = rowAt(cage[row + 3]) - rowAt(cage[row + 1]);
+    vec3 here = edge + up * rise + inward * back;
+    place.point += shares[n] * here;
+    place.along += slopes[n] * here;
+    place.up += shares[n] * rise;
+    place.inward += shares[n] * back;
+  }
+  return place;
+}
+
+void main() {
+  vec3 at = mix(person, carnivore, fur);
+  vec3 facing = mix(personFacing, carnivoreFacing, fur);
+  Place place = placeAt(at.x, at.y, at.z);
+  vec3 here = place.point;
+  vec3 normal = facing.x * cross(place.up, place.inward) + facing.y * cross(place.inward, place.along) + facing.z * cross(place.along, place.up);
+  if (marks.z > 0.0) {
+    here = mix(here, placeAt(${(COLUMNS - 1).toFixed(1)} - at.x, at.y, at.z).point, marks.z);
+    normal = -place.up;
+  }
+  vPoint = turned(here, 1.0);
+  vNormal = turnedNormal(normalize(normal), 1.0);
+  vMarks = marks.xy;
+  vLight = lightAt(here);
+  gl_Position = project(vPoint);
+}
+`;
+
+/** Enamel, gums and mucosa by height; each tooth has its own shade. */
+export const SHEET_FRAGMENT = `${MOUTH_HEAD}
+uniform float age;
+in vec2 vMarks;
+
+void main() {
+  float height = vMarks.x;
+  float across = 2.0 * fract(vMarks.y) - 1.0;
+  float sides = across * across;
+  float number = floor(vMarks.y);
+  float fromMiddle = abs(number - 6.5) - 0.5;
+  float gum = 1.0 - smoothstep(-0.02, 0.02, height);
+  vec3 normal = facing();
+
+  float shade = fract(sin(number * 12.9) * 43.7) - 0.5;
+  vec3 enamel = mix(vec3(0.84, 0.73, 0.56), vec3(0.93, 0.88, 0.79), smoothstep(0.0, 0.55, height));
+  enamel = mix(enamel, vec3(0.76, 0.76, 0.75), 0.4 * smoothstep(0.86, 1.0, height)); // the edge lets the dark through
+  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + 0.06 * shade);
+  enamel *= mix(vec3(1.0), vec3(0.62, 0.50, 0.43), smoothstep(0.72, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
+  enamel *= mix(1.0, 0.72, smoothstep(1.5, 5.5, fromMiddle));
+  vec3 pink = mix(vec3(0.62, 0.28, 0.26), vec3(0.50, 0.15, 0.14), smoothstep(0.1, 0.7, -height));
+#ifdef DETAIL
+  vec4 bumps = texture(grain, vec2(vMarks.y * 0.9, height * 0.7)) - 0.5;
+  pink *= 1.0 + 0.35 * bumps.b;
+  normal = normalize(normal + gum * 0.18 * headTurn * vec3(bumps.r, bumps.g, 0.0));
+#endif
+  vec3 albedo = mix(enamel, pink, gum);
+  albedo *= mix(0.74, 1.0, smoothstep(0.0, 0.07, abs(height))); // where the gum begins
+  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.45, gum), mix(0.40, 0.26, gum)), 1.0);
+}
+`;

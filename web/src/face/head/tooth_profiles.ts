@@ -1,0 +1,187 @@
+/** The measures of teeth, and the outline of one across its width: crown, gum line and what lies behind. */
+
+/** A tooth; millimetres. */
+export interface Tooth {
+  readonly width: number;
+  /** From the gum line in its middle to its edge. */
+  readonly height: number;
+  /** From outside to inside where it leaves the gum, and at its edge. */
+  readonly depth: number;
+  readonly edge: number;
+  /** How far its corners lie behind its middle, and the power by which they do: 1.3 is a point, 4 a round corner. */
+  readonly corner: number;
+  readonly power: number;
+  /** How far the middle of a grinding face is hollowed. */
+  readonly hollow: number;
+  /** How far its edge stands out of the row's. */
+  readonly over: number;
+}
+
+/** The teeth of one half of a jaw from the middle, and where the row lies in its cage; millimetres. */
+export interface Row {
+  readonly teeth: readonly Tooth[];
+  /** How far the row's edge stands beyond the cage's, and how far inside of the cage it lies. */
+  readonly over: number;
+  readonly inside: number;
+  /** How far above the cage's gum the palate is in its middle; the floor of the mouth: below, less than 0. */
+  readonly vault: number;
+}
+
+/** Whose teeth: those of the face at rest, and those that fur brings (a carnivore's). */
+export interface Jaw {
+  readonly person: Row;
+  readonly carnivore: Row;
+}
+
+const tooth = (
+  width: number,
+  height: number,
+  depth: number,
+  edge: number,
+  corner: number,
+  power: number,
+  hollow = 0,
+  over = 0,
+): Tooth => ({ width, height, depth, edge, corner, power, hollow, over });
+
+/**
+ * Widths and heights of the upper front teeth as measured (P. Magne, G. O. Gallucci, U. C. Belser, 2003: centrals 8.3 to 9.2
+ * by 9.4 to 11, laterals 7.1 to 7.4, canines 7.9, premolars 7.8); molars, lower teeth and depths by the dentist's rule of
+ * thumb. A carnivore has a third small incisor where people have the canine, and its fang behind it.
+ */
+export const JAWS: { readonly upper: Jaw; readonly lower: Jaw } = {
+  upper: {
+    person: {
+      over: 0,
+      inside: 0,
+      vault: 4,
+      teeth: [
+        tooth(8.6, 10.4, 6.6, 1.3, 0.7, 5),
+        tooth(6.8, 9.4, 6.0, 1.2, 0.9, 4, 0, -0.45),
+        tooth(7.7, 10.2, 7.2, 1.4, 1.6, 1.7, 0, 0.1),
+        tooth(7.1, 8.6, 8.6, 5.2, 1.3, 2, 1.2, -0.3),
+        tooth(6.9, 8.2, 8.6, 5.4, 1.4, 1.8, 1.3, -0.4),
+        tooth(10.2, 7.4, 10.0, 6.6, 1.3, 2.4, 1.5, -0.4),
+        tooth(9.4, 7.0, 10.0, 6.6, 1.3, 2.4, 1.5, -0.5),
+      ],
+    },
+    carnivore: {
+      over: 0,
+      inside: 0.6,
+      vault: 4,
+      teeth: [
+        tooth(5.0, 6.0, 5.0, 1.2, 1.6, 2.2, 0, -1.5),
+        tooth(5.0, 6.2, 5.0, 1.2, 1.8, 2.2, 0, -1.3),
+        tooth(5.6, 7.6, 5.4, 1.0, 2.8, 1.6, 0, -0.6),
+        tooth(7.6, 13.0, 6.6, 2.2, 8.5, 1.2, 0, 4.2),
+        tooth(9.5, 6.6, 5.2, 1.0, 4.8, 1.3, 0, -1.6),
+        tooth(13.0, 9.0, 6.4, 1.2, 6.2, 1.25, 0, 0.2),
+        tooth(9.6, 6.4, 8.0, 3.6, 3.6, 1.5, 0.8, -1.0),
+      ],
+    },
+  },
+  lower: {
+    person: {
+      over: 1.6,
+      inside: 2.4,
+      vault: -1,
+      teeth: [
+        tooth(5.2, 9.0, 5.8, 1.2, 0.6, 4),
+        tooth(5.8, 9.2, 5.9, 1.2, 0.7, 3.4),
+        tooth(6.9, 10.2, 7.0, 1.4, 1.9, 1.5, 0, 0.3),
+        tooth(7.0, 8.6, 7.4, 4.6, 1.6, 1.7, 1.1, -0.3),
+        tooth(7.1, 8.2, 7.8, 5.0, 1.4, 1.9, 1.2, -0.5),
+        tooth(11.0, 7.4, 9.4, 6.4, 1.2, 2.4, 1.5, -0.6),
+        tooth(10.4, 7.0, 9.4, 6.4, 1.2, 2.4, 1.5, -0.7),
+      ],
+    },
+    carnivore: {
+      over: 1.0,
+      inside: 3.0,
+      vault: -1,
+      teeth: [
+        tooth(4.0, 5.4, 4.6, 1.1, 1.3, 2.2, 0, -1.8),
+        tooth(4.2, 5.6, 4.6, 1.1, 1.5, 2.2, 0, -1.6),
+        tooth(4.6, 6.4, 5.0, 1.0, 2.2, 1.8, 0, -1.2),
+        tooth(7.0, 12.5, 6.2, 2.0, 8.5, 1.2, 0, 4.2),
+        tooth(9.5, 6.2, 4.8, 1.0, 4.4, 1.3, 0, -2.0),
+        tooth(13.5, 8.6, 5.8, 1.1, 5.8, 1.25, 0, -0.4),
+        tooth(9.6, 6.0, 7.0, 3.2, 3.2, 1.5, 0.8, -1.6),
+      ],
+    },
+  },
+};
+
+/** Rows across a jaw: from the outer gum over the crown to the inner gum, then to the middle of palate or floor. */
+export const RIBS = 18;
+
+/**
+ * A point of the outline: `up` towards the gum and `inward`, millimetres from the cage's edge and outer side; `height`: 0
+ * at the gum line, 1 at the edge, less than 0 on gum; `across`: share of the way to the same place on the other side.
+ */
+export interface Rib {
+  readonly up: number;
+  readonly inward: number;
+  readonly height: number;
+  readonly across: number;
+}
+
+/** How far the drawn gum ends before the cage's, and inside of it: there it comes through cheeks first; millimetres. */
+const SHORT = 3;
+const UNDER = 3;
+
+/** Molars have less gum than this in their cage, and as much above them; millimetres. */
+const LOWEST_GUM = 18;
+
+/** How much of the way from edge to gum a crown may take. */
+const MOST = 0.66;
+
+/** How far up the crown its outline is followed on the outer side, and by how much it is rounded in there, millimetres. */
+const FRONT: readonly (readonly [number, number])[] = [
+  [0.02, 0.8],
+  [0.22, 0.22],
+  [0.5, 0],
+  [0.8, 0.35],
+  [0.95, 0.85],
+];
+
+/**
+ * The outline of a tooth at `t` (-1..1 across it); `reach`: millimetres from the cage's edge to its gum. The gum climbs
+ * between teeth (papillae), the crown's corners are round, and its sides go in, so that teeth stand apart.
+ */
+export function outline(of: Tooth, row: Row, t: number, reach: number): Rib[] {
+  const far = Math.abs(t);
+  const edge = of.corner * far ** of.power - of.over - row.over;
+  const full = Math.min(of.height - of.over - row.over, MOST * reach);
+  const front = full - 0.4 * of.height * far ** 2.4;
+  const back = full - 0.28 * of.height * far ** 2.4;
+  const aside = 0.45 * t * t + 1.1 * far ** 5;
+  const rib = (up: number, inward: number, height: number, across = 0): Rib => ({
+    up,
+    inward: row.inside + inward,
+    height,
+    across,
+  });
+  const crown = (gum: number, share: number, inward: number): Rib => rib(gum + (edge - gum) * share, inward, share);
+  const last = reach - SHORT;
+  const ground = of.hollow > 0 ? 0.28 * of.depth : 0.6;
+  const inner = ground + of.edge;
+  const high = Math.max(reach, LOWEST_GUM) + row.vault;
+  const neck = of.depth - 0.4 - aside;
+  return [
+    rib(Math.max(last, front + 1.5), UNDER, -1),
+    rib(Math.max(front + 1.2, 0.5 * (front + last)), 0.7, -0.55),
+    rib(front + 0.8, -0.1 + 0.4 * aside, -0.12),
+    rib(front - 0.1, 0.2 + 0.55 * aside, -0.01),
+    ...FRONT.map(([share, inward]) => crown(front, share, inward + aside)),
+    rib(edge, Math.min(ground + aside, neck), 1),
+    rib(edge + of.hollow * (1 - far * far), Math.min(ground + 0.5 * of.edge, neck), 1),
+    rib(edge + 0.1, Math.min(inner, neck + 0.2), 1),
+    crown(back, 0.6, 0.5 * (inner + neck)),
+    crown(back, 0.15, neck),
+    rib(back - 0.05, of.depth, -0.01),
+    rib(back + 0.25 * (last - back), of.depth + 1.1, -0.3),
+    rib(0.85 * high, of.depth + 2, -0.6, 0.2),
+    rib(high, of.depth + 2, -1, 0.5),
+  ];
+}
