@@ -31,8 +31,9 @@ def write_face(file: Path, version: Version) -> Path:
 
 
 def as_exported(weights: Mapping[str, float]) -> Meshes:
-    """Where Omote has the face on air; of `mouthClose` alone teeth are drawn in, as far as an open jaw needs."""
-    return blended(FACE, weights) if weights == {"mouthClose": 1.0} else on_air(FACE, weights)
+    """Where Omote has the face on air; of `mouthClose` alone teeth are drawn in, as far as an open jaw needs, and what
+    parts the lips for `tongueOut` is of the frame, not of a target."""
+    return blended(FACE, weights) if weights in ({"mouthClose": 1.0}, {"tongueOut": 1.0}) else on_air(FACE, weights)
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,17 @@ import omote
 from omote.builtin import load_cast
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.perform.frame import Frame
-from omote.perform.saturation import BEYOND, FULL, SATURATING, SOFTNESS, added_by, saturate, worn_share
+from omote.perform.saturation import (
+    BEYOND,
+    FULL,
+    SATURATING,
+    SOFTNESS,
+    TONGUE,
+    TONGUE_OPENS,
+    added_by,
+    saturate,
+    worn_share,
+)
 
 CAST = load_cast()
 WEIGHTS = st.floats(0.0, 1.5)
@@ -26,7 +36,7 @@ def drop(frame: Frame) -> float:
     return float((rest - omote.evaluate_parts(CAST, frame)["teeth_lower"])[:, 1].mean())
 
 
-@given(st.dictionaries(st.sampled_from(ARKIT_NAMES), st.floats(-0.5, 1.5)))
+@given(st.dictionaries(st.sampled_from(ARKIT_NAMES).filter(lambda name: name != TONGUE), st.floats(-0.5, 1.5)))
 def test_what_a_tracker_sends_over_a_face_at_rest_stays_bit_for_bit(channels: dict[str, float]) -> None:
     frame = Frame({"generic": 1.0}, {"neutral": 1.0}, channels)
     assert saturate(CAST.expressions, frame, channels) is channels
@@ -75,6 +85,33 @@ def test_a_unit_called_and_driven_is_worn_once(unit: str) -> None:
     both = Frame({"generic": 1.0}, {unit: 1.0}, {unit: 1.0})
     wide = np.abs(omote.evaluate(CAST, called) - CAST.faces["generic"].positions).max()
     assert np.abs(omote.evaluate(CAST, both) - omote.evaluate(CAST, called)).max() < 0.1 * wide
+
+
+@given(st.floats(-0.5, 1.5), st.floats(0.0, 1.0), st.booleans())
+def test_a_tongue_parts_lips_that_nothing_has_opened(jaw: float, tongue: float, called: bool) -> None:
+    mix = {TONGUE: tongue, "neutral": 1.0 - tongue} if called else {"neutral": 1.0}
+    channels = {"jawOpen": jaw} if called else {"jawOpen": jaw, TONGUE: tongue}
+    opened = saturate(CAST.expressions, Frame({"generic": 1.0}, mix, channels), channels)["jawOpen"]
+    least = TONGUE_OPENS * tongue
+    assert opened >= (max(jaw, least) if jaw > 0.0 else jaw + least) - 1e-12
+    assert opened <= (max(jaw, least) if jaw > 0.0 else jaw + least) + 0.5 * (SOFTNESS * max(jaw, 0.0) * least) ** 0.5
+
+
+@pytest.mark.parametrize("face", ["kaori", "man", "child", "old", "dog"])
+def test_a_tongue_has_room_between_the_lips(face: str) -> None:
+    lips = next(line.loop for line in CAST.space.lines if line.kind == "lips")
+
+    def gap(weights: dict[str, float]) -> float:
+        edge = omote.evaluate(CAST, Frame({face: 1.0}, {"neutral": 1.0}, weights))[lips]
+        near = edge[np.abs(edge[:, 0] - edge[:, 0].mean()) < 0.004]
+        return float(np.ptp(near[:, 1]))
+
+    def height() -> float:
+        tongue = omote.evaluate_parts(CAST, Frame({face: 1.0}, {"neutral": 1.0}, {TONGUE: 1.0}))["tongue"]
+        tip = tongue[tongue[:, 2] > tongue[:, 2].max() - 0.004]
+        return float(np.ptp(tip[:, 1]))
+
+    assert gap({TONGUE: 1.0}) >= height() - 0.001
 
 
 def test_in_a_region_the_mix_that_shows_there_counts() -> None:

@@ -27,7 +27,11 @@ SATURATING: Mapping[str, PlayRegion] = MappingProxyType(
     }
 )
 """The units that open, or shut, as far as the further of what plays them, and the region whose mix wears them."""
-JAW = ("mouth-open", "jawOpen")
+JAW_OPEN = "jawOpen"
+JAW = ("mouth-open", JAW_OPEN)
+TONGUE = "tongueOut"
+TONGUE_OPENS = 0.3
+"""Weight of `jawOpen` that a tongue which is out has at least: lips 8 to 10 mm apart, the dog's 16, for a tip of 5."""
 HEAD_RADIUS = 0.09
 """Metres from the axis to the skin: what an angle and a ratio of radii are worth beside a height."""
 MOVES_MOST = 0.6
@@ -56,21 +60,28 @@ def saturate(
 
     A unit that saturates (`SATURATING`) goes as far as the further of both, not as far as their sum: `worn` of it and
     a channel `c` make `(worn + c + sqrt((worn - c)^2 + k worn c)) / 2`, of which the channel adds what is over `worn`.
-    The jaw's total is bent beyond what it opens alone. Where nothing else wears a unit its channel stays bit for bit.
+    The jaw's total is bent beyond what it opens alone. A tongue that is out parts lips that nothing else has opened.
+    Where nothing else wears a unit its channel stays bit for bit.
 
     expressions: those of the cast, by name; frame: its mixes; channels: weights, by name. Sums and square roots alone:
     every machine finds the same.
     """
     changed = dict[str, float]()
     for unit, region in SATURATING.items():
+        mix = mix_in(region, frame.expressions, frame.regions)
         weight = channels.get(unit, 0.0)
+        if unit == JAW_OPEN and (tongue := mix.get(TONGUE, 0.0) + channels.get(TONGUE, 0.0)) > 0.0:
+            opened = TONGUE_OPENS * tongue
+            weight = _further(weight, opened) if weight > 0.0 else weight + opened
+            changed[unit] = weight
         if weight > 0.0 and unit in expressions:
-            mix = mix_in(region, frame.expressions, frame.regions)
-            others = {name: value for name, value in channels.items() if name not in OF_TAKES and name != unit}
-            worn = _worn(expressions[unit], expressions, mix) + _worn(expressions[unit], expressions, others | changed)
+            driven = {**channels, **changed}
+            others = {name: value for name, value in driven.items() if name not in OF_TAKES and name != unit}
+            worn = _worn(expressions[unit], expressions, mix) + _worn(expressions[unit], expressions, others)
             if worn > 0.0:
                 changed[unit] = added_by(weight, worn, held=unit in JAW)
-    return {**channels, **changed} if changed else channels
+    known = {unit: weight for unit, weight in changed.items() if unit in expressions}
+    return {**channels, **known} if known else channels
 
 
 def added_by(weight: float, worn: float, *, held: bool = False) -> float:
@@ -81,9 +92,13 @@ def added_by(weight: float, worn: float, *, held: bool = False) -> float:
     if held:
         second = min(worn / WORN_ALTOGETHER, 1.0)
         weight += second * (_bend(weight) - weight)
-    apart = worn - weight
-    further = 0.5 * (worn + weight + math.sqrt(apart * apart + SOFTNESS * worn * weight))
-    return max(further - worn, 0.0) if worn else weight
+    return max(_further(worn, weight) - worn, 0.0) if worn else weight
+
+
+def _further(one: float, other: float) -> float:
+    """The further of two weights above 0, with a round corner where they meet."""
+    apart = one - other
+    return 0.5 * (one + other + math.sqrt(apart * apart + SOFTNESS * one * other))
 
 
 def _bend(total: float) -> float:
