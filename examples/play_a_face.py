@@ -34,7 +34,7 @@ rows = []
 for number in range(75):
     COMMANDS.get(number, lambda: None)()
     if 40 <= number < 55:
-        performer.set_channel("jawOpen", (number - 40) / 30)  # channels are driven continuously, by a fader or tracker
+        performer.set_channel("jawOpen", (number - 40) / 20)  # channels are driven continuously, by a fader or tracker
     frame = performer.advance(1 / FRAMES_PER_SECOND)
     points = omote.evaluate(cast, frame)  # (V, 3) metres
     opening = 1000 * np.ptp(points[middle, 1])

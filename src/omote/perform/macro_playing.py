@@ -254,6 +254,11 @@ class MacroPlaying(SpeechPlaying):
         self._now = with_fields(now, mappings=later)
         self._macros = vectors_of(macros, later.kept)
 
+    def _rename_in_mappings(self, renamed: Mapping[str, str]) -> None:
+        macros = states_of(self._macros)
+        super()._rename_in_mappings(renamed)
+        self._macros = vectors_of(macros, self._now.mappings.kept)
+
     def _check_channels(self, mapping: MacroMapping) -> None:
         units = [name for name in self._cast.expressions if name != NEUTRAL]
         for kind, channel in places_in([mapping]):

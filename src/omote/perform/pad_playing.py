@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
@@ -89,9 +88,7 @@ class PadPlaying(CalledMix):
         self._pads = pads
         names = renamed or {}
         if names:
-            mappings = mappings_after_rename(self._now.mappings, names)
-            macros = replace(self._now.macros)  # another one, so that what it gives is told by the new names
-            self._now = with_fields(self._now, mappings=mappings, macros=macros)
+            self._rename_in_mappings(names)
         now = self._now
         if not now.pads:
             return
@@ -113,6 +110,10 @@ class PadPlaying(CalledMix):
             expression=worn("expression", now.expression),
             regions={region: worn(region, on) for region, on in now.regions.items()},
         )
+
+    def _rename_in_mappings(self, renamed: Mapping[str, str]) -> None:
+        """Mappings follow pads that have other names."""
+        self._now = with_fields(self._now, mappings=mappings_after_rename(self._now.mappings, renamed))
 
     def _moved(
         self,
