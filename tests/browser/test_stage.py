@@ -29,7 +29,7 @@ OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
 FRAMES = 40
 TOLERANCE = 0.05e-3  # metres
-POSE = ("faces", "expressions", "regions", "channels", "lids", "head", "eyes")
+POSE = ("faces", "expressions", "regions", "channels", "added", "head", "eyes")
 TWO = {
     "one": {"faces": {"kaori": 0.6, "old": 0.4}, "expressions": {"laugh": 1.0}, "place": {"x": -0.1, "turn": 0.3}},
     "two": {"faces": {"old": 1.0}, "place": {"x": 0.16, "depth": 0.1, "size": 0.9, "turn": -0.4}},

@@ -25,7 +25,7 @@ from tools.same.recording import Numbers, Recording
 POSES = 40
 STEP = 1e-6
 """Metres to which positions are rounded."""
-POSE = ("faces", "expressions", "channels", "lids", "head", "eyes")
+POSE = ("faces", "expressions", "channels", "added", "head", "eyes")
 SETTING = Setting(320, 240, quality="low")
 
 
