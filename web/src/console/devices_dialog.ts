@@ -31,6 +31,7 @@ const style = css`
 /** Over everything else but the bar. Tells `close`, and `teach` where a macro is to be learned by touch. */
 @customElement("omote-devices-dialog")
 export class DevicesDialog extends ConsoleDialog {
+  protected override readonly takesBack = true;
   protected override readonly first = ".close";
   @property() view: DevicesView = "devices";
   static override styles = [base, sheet, style];

@@ -8,11 +8,12 @@ import { stepOf } from "../store/keys";
 import { ConsoleElement } from "./console_element";
 
 /**
- * Closed by Escape, by a press beside it or by a button; its `first` element gets the focus. What was changed in it is
- * taken back by the keys of the page. Tells `close`.
+ * Closed by Escape, by a press beside it or by a button; its `first` element gets the focus. What is changed in one that
+ * `takesBack` is taken back by the keys of the page; no key works through others. Tells `close`.
  */
 export abstract class ConsoleDialog extends ConsoleElement {
   protected readonly first: string = "button";
+  protected readonly takesBack: boolean = false;
 
   constructor() {
     super();
@@ -21,7 +22,7 @@ export abstract class ConsoleDialog extends ConsoleElement {
   }
 
   readonly #hears = (event: KeyboardEvent): boolean => {
-    const step = stepOf(event);
+    const step = this.takesBack ? stepOf(event) : null;
     if (step !== null && !event.repeat) this.store[step]();
     return step !== null;
   };
