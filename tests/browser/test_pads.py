@@ -266,7 +266,7 @@ def test_a_phone_on_its_side_reaches_every_part_and_says_what_a_panic_has_stoppe
     wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
     page.keyboard.press("Shift+Backspace")
     wait_until(page, f"{SOLO}.air.motion.liveliness === 0")
-    expect(page.get_by_role("status")).to_contain_text("Stopped by panic: liveliness of One.")
+    expect(page.locator("[role=status].notice")).to_contain_text("Stopped by panic: liveliness of One.")
     expect(page.locator(".panic")).to_have_text("PANIC")  # the home face shows: a second one brings no other
     expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "true")
     for row, part in (("lines", "omote-clip-tiles"), ("head", "omote-pad .field"), ("looks", "omote-memories")):
