@@ -295,7 +295,7 @@ def test_a_gain_makes_an_expression_stronger_there_is_undone_saved_and_read_on_t
     expect(answers).to_contain_text("mouth in angry")
     desk.keyboard.press("Escape")
     expect(answers).to_have_count(0)
-    desk.locator("omote-palette .tile[data-name='old']").click()
+    desk.locator("omote-palette .tile[data-name='kaori']").click()
     expect(line).to_have_count(0)
 
 
