@@ -43,6 +43,14 @@ const style = css`
   .tools button {
     padding: 0 6px;
   }
+  @media (max-width: 1279px) {
+    .tools {
+      gap: 1px;
+    }
+    .tools button {
+      padding: 0 3px;
+    }
+  }
   button {
     pointer-events: auto;
     min-height: 30px;
