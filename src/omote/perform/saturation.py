@@ -13,6 +13,7 @@ from omote.arrays import Values
 from omote.model.action_units import ARKIT
 from omote.model.known_names import PlayRegion
 from omote.model.space.expression import Expression
+from omote.model.weak_cache import weakly_cached
 from omote.perform.frame import Frame
 from omote.perform.mix import mix_in
 
@@ -50,8 +51,6 @@ BEYOND = 0.3
 WORN_ALTOGETHER = 0.1
 """The weight from which on what is worn counts as a second source whole: below, a jaw alone is left as it was."""
 
-_shares: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = WeakKeyDictionary()
-
 
 def saturate(
     expressions: Mapping[str, Expression], frame: Frame, channels: Mapping[str, float], /
@@ -67,21 +66,23 @@ def saturate(
     every machine finds the same.
     """
     changed = dict[str, float]()
+    others = {name: weight for name, weight in channels.items() if name not in OF_TAKES}
     for unit, region in SATURATING.items():
+        if unit not in expressions:
+            continue
         mix = mix_in(region, frame.expressions, frame.regions)
-        weight = channels.get(unit, 0.0)
-        if unit == JAW_OPEN and (tongue := mix.get(TONGUE, 0.0) + channels.get(TONGUE, 0.0)) > 0.0:
-            opened = TONGUE_OPENS * tongue
-            weight = _further(weight, opened) if weight > 0.0 else weight + opened
-            changed[unit] = weight
-        if weight > 0.0 and unit in expressions:
-            driven = {**channels, **changed}
-            others = {name: value for name, value in driven.items() if name not in OF_TAKES and name != unit}
+        before = weight = channels.get(unit, 0.0)
+        if unit == JAW_OPEN:
+            weight = _parted(weight, TONGUE_OPENS * (mix.get(TONGUE, 0.0) + channels.get(TONGUE, 0.0)))
+        if weight > 0.0:
+            own = others.pop(unit, None)
             worn = _worn(expressions[unit], expressions, mix) + _worn(expressions[unit], expressions, others)
-            if worn > 0.0:
-                changed[unit] = added_by(weight, worn, held=unit in JAW)
-    known = {unit: weight for unit, weight in changed.items() if unit in expressions}
-    return {**channels, **known} if known else channels
+            weight = added_by(weight, worn, held=unit in JAW) if worn else weight
+            if own is not None:
+                others[unit] = weight
+        if weight != before:
+            changed[unit] = weight
+    return {**channels, **changed} if changed else channels
 
 
 def added_by(weight: float, worn: float, *, held: bool = False) -> float:
@@ -92,7 +93,14 @@ def added_by(weight: float, worn: float, *, held: bool = False) -> float:
     if held:
         second = min(worn / WORN_ALTOGETHER, 1.0)
         weight += second * (_bend(weight) - weight)
-    return max(_further(worn, weight) - worn, 0.0) if worn else weight
+    return max(_further(worn, weight) - worn, 0.0)
+
+
+def _parted(jaw: float, opened: float) -> float:
+    """The weight of a jaw that a tongue opens so far at least."""
+    if opened <= 0.0:
+        return jaw
+    return _further(jaw, opened) if jaw > 0.0 else jaw + opened
 
 
 def _further(one: float, other: float) -> float:
@@ -122,13 +130,16 @@ def worn_share(unit: Expression, expression: Expression) -> float:
 
     Summed exactly (`math.fsum`), so that every machine finds the same.
     """
-    shares = _shares.get(unit)
-    if shares is None:
-        shares = _shares[unit] = WeakKeyDictionary()
+    shares = _shares_of(unit)
     share = shares.get(expression)
     if share is None:
         share = shares[expression] = _share(unit, expression)
     return share
+
+
+@weakly_cached
+def _shares_of(_: Expression, /) -> WeakKeyDictionary[Expression, float]:
+    return WeakKeyDictionary()
 
 
 def _share(unit: Expression, expression: Expression) -> float:

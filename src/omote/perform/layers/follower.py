@@ -4,8 +4,9 @@ replays bit for bit on any machine."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
+from types import ModuleType
 
 import numpy as np
 
@@ -47,16 +48,16 @@ def follow(
     later_first = np.empty_like(goal)
     later_second = np.empty_like(goal)
     near = NEAR if comes_to_rest else 0.0
-    _follow_all()(first, second, goal, rate, haste, dt, JUMP, near, later_first, later_second)
+    load_kernels().follow_all(first, second, goal, rate, haste, dt, JUMP, near, later_first, later_second)
     return later_first, later_second
 
 
 @cache
-def _follow_all() -> Callable[..., None]:
-    """The kernel, loaded when the first layer goes on: no command line needs Numba."""
-    from omote.perform.layers.layer_kernels import follow_all
+def load_kernels() -> ModuleType:
+    """The kernels of layers, loaded when the first layer is driven: no command line needs Numba."""
+    from omote.perform.layers import layer_kernels
 
-    return follow_all
+    return layer_kernels
 
 
 def follow_number(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
-from types import ModuleType
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +14,7 @@ from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD
 from omote.perform.layers.drivers import NOBODY, Owners
+from omote.perform.layers.follower import load_kernels
 from omote.perform.layers.layer_names import (
     DEFAULT_SETTINGS,
     DRIVEN,
@@ -200,7 +200,7 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     streams = layers.columns.rows(layers.second, "streams")
     found = np.empty((len(DRIVEN), min(MOST_SHOWN, len(names))), np.int64)
     values = np.empty(found.shape)
-    _kernels().find_strongest(streams, len(names), found, values)
+    load_kernels().find_strongest(streams, len(names), found, values)
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
         for layer, both in zip(DRIVEN, zip(found.tolist(), values.tolist(), strict=True), strict=True)
@@ -214,7 +214,7 @@ def _mixed_values(layers: Layers, shares: Values) -> Values:
     streams, hold, hands = (columns.rows(layers.second, section) for section in ("streams", "hold", "hands"))
     mixed = np.empty(columns.width)
     rules = _rules(tuple(layers.drivers))
-    _kernels().mix_streams(
+    load_kernels().mix_streams(
         streams, shares, columns.parts, rules, _MIXED_ROWS, hold, hands, columns.lowest, columns.highest, mixed
     )
     return mixed
@@ -223,17 +223,9 @@ def _mixed_values(layers: Layers, shares: Values) -> Values:
 @lru_cache(maxsize=256)
 def _rules(drives: tuple[LayerName, ...]) -> NDArray[np.int64]:
     """What each layer that may be driven does, by its number in the kernel, where some are."""
-    kernels = _kernels()
+    kernels = load_kernels()
     does = {"offset": kernels.OFFSETS, "replace": kernels.REPLACES, "fill": kernels.FILLS}
     return np.array([does[RULES[layer]] if layer in drives else kernels.SKIPS for layer in DRIVEN], np.int64)
-
-
-@cache
-def _kernels() -> ModuleType:
-    """The kernels, loaded when the first layer shows: no command line needs Numba."""
-    from omote.perform.layers import layer_kernels
-
-    return layer_kernels
 
 
 def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,7 @@ from omote.perform.layers.drivers import (
     way_back,
     with_driver,
 )
-from omote.perform.layers.follower import follow, steps_of
+from omote.perform.layers.follower import follow, load_kernels, steps_of
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName, LayerPart
 from omote.perform.layers.layer_vectors import (
     Layers,
@@ -449,15 +448,7 @@ def write_frame(
         turned += [gaze.yaw, gaze.pitch, *(weights.get(unit, 0.0) for unit in columns.eyes)]
     turns = columns.places_of_turns(head is not None, gaze is not None)
     values = np.ascontiguousarray(frame.values, np.float64)
-    _write_stream()(stream, own, columns.places(frame.names), values, turns, np.array(turned))
-
-
-@cache
-def _write_stream() -> Callable[..., None]:
-    """The kernel, loaded with the first frame: no command line needs Numba."""
-    from omote.perform.layers.layer_kernels import write_stream
-
-    return write_stream
+    load_kernels().write_stream(stream, own, columns.places(frame.names), values, turns, np.array(turned))
 
 
 def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName, SourceFrame]) -> Layers:

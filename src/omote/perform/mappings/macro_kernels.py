@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.perform.layers.follower import NEAR
+from omote.perform.layers.layer_kernels import left_after
 from omote.perform.mappings.soft_limit import soft_sum
 
 _READ = types.Array(float64, 1, "C", readonly=True)
@@ -38,13 +39,13 @@ def follow_pair(
         before = goal
         if lead != 0.0:
             z = lead * step
-            share = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
+            share = left_after(z)
             before = first
         behind = rise if (before if before != second else goal) > second else fall
         first = goal + ahead * share
         if behind != 0.0:
             y = behind * step
-            left = 1.0 / (1.0 + y * (1.0 + y * (0.48 + y * 0.235)))
+            left = left_after(y)
             second = goal + (second - goal) * left
             if share != 0.0:
                 chord = 1.0 + 0.48 * (z + y) + 0.235 * (z * z + z * y + y * y)
