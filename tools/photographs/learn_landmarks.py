@@ -10,12 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import LANDMARK_TABLE, load_cast, load_identity_modes
+from omote.builtin.own_skin import find_skin_moves
 from omote.geometry.proximity import nearest_triangles
 from omote.inputs.camera.landmark_map import UNITS
 from omote.model.fitting.photographs.bundle_problem import measure_errors
 from omote.model.fitting.photographs.landmark_table import ON_SKIN
-from omote.perform.blending.evaluate import evaluate
-from omote.perform.frame import Frame
 from tools.photographs.observations import Observation, read_observations
 from tools.tracking.picture import turn
 
@@ -161,13 +160,8 @@ def _positive(matrix: Values) -> Values:
 
 def find_unit_moves(corners: NDArray[np.int32], shares: Values) -> Values:
     """How each unit moves the points on the generic head, (u, p, 3) metres."""
-    cast = load_cast()
-    rest = evaluate(cast, Frame({"generic": 1.0}, {"neutral": 1.0}, {})).astype(np.float64)
-    moves = []
-    for name in UNITS:
-        worn = evaluate(cast, Frame({"generic": 1.0}, {"neutral": 1.0}, {name: 1.0})).astype(np.float64)
-        moves.append(np.einsum("pk,pkc->pc", shares, (worn - rest)[corners]))
-    return np.array(moves)
+    moves = find_skin_moves(load_cast(), UNITS)
+    return np.array([np.einsum("pk,pkc->pc", shares, move[corners]) for move in moves])
 
 
 def learn(observations: list[Observation]) -> dict[str, NDArray[np.generic]]:

@@ -116,10 +116,10 @@ class RecordedShow:
         begin = since if after is not None else since - 1e-6
         pieces = _PiecesAhead(self._reader, self._read, self._pieces(span, since))
         for tick in replay(pieces, self.find_cast, self.find_clip, after=begin):
-            pieces.read_on()  # not before: somebody waits for the first tick
             if tick.now > span.last:
                 return
             yield tick
+            pieces.read_on()  # not before: somebody waits for the first tick
 
     def log(self, span: Span) -> Iterator[LogLine]:
         """Who did what in a span, in its order; what a hand sends again and again is one line. What was noted is as it
