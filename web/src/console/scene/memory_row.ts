@@ -1,7 +1,7 @@
 /** The row of memories: whole looks that are kept by a press and called by another. */
 
 import { css, html } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { customElement, query, state } from "lit/decorators.js";
 import { base, ellipsis, flow } from "../../ui/theme";
 import { hearWhileShown } from "../../ui/topic_element";
 import { ConsoleElement } from "../controls/console_element";
@@ -16,6 +16,9 @@ const style = css`
     gap: 4px;
     padding: 4px 10px;
     overflow-x: auto;
+  }
+  .row.more {
+    mask-image: linear-gradient(90deg, #000 calc(100% - 40px), #0003);
   }
   .row > span {
     color: var(--dim);
@@ -67,6 +70,9 @@ const style = css`
 export class MemoryRow extends ConsoleElement {
   /** What the next press means: after it, a press calls again. */
   @state() private means: MemoryPress = "call";
+  /** Whether there are memories to the right of what is in sight. */
+  @state() private goesOn = false;
+  @query(".row") private row!: HTMLElement;
   #shown = "";
 
   static override styles = [base, style];
@@ -105,9 +111,24 @@ export class MemoryRow extends ConsoleElement {
     this.means = this.means === means ? "call" : means;
   }
 
+  override firstUpdated(): void {
+    new ResizeObserver(this.#hint).observe(this.row);
+  }
+
+  override updated(): void {
+    this.#hint();
+  }
+
+  /** Fades what goes on to the right: scroll bars are hidden on tablets until they are used. */
+  readonly #hint = (): void => {
+    const { scrollLeft, clientWidth, scrollWidth } = this.row;
+    this.goesOn = scrollWidth - clientWidth - scrollLeft > 4;
+  };
+
   override render() {
     const { kept } = this.#commands;
-    return html`<div class="row ${this.means === "call" ? "" : "asked"}" role="group" aria-label="Memories">
+    return html`<div class="row ${this.means === "call" ? "" : "asked"} ${this.goesOn ? "more" : ""}" role="group" aria-label="Memories"
+      @scroll=${this.#hint}>
       <span>Memory</span>
       ${placesOf(kept).map((name) => this.#key(name, kept.includes(name)))}
       <button class="means" aria-label="Keep a memory" aria-pressed=${this.means === "keep"}
