@@ -20,6 +20,7 @@ from omote.perform.clips.clip_runs import MOST_RUNS
 from omote.perform.clips.cut_clip import cut_curve, record
 from omote.perform.clips.motion_curve import make_curve
 from omote.perform.frame import Frame
+from omote.perform.layers.source_frame import source_frame
 from omote.perform.mix import mix_in
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot
@@ -173,6 +174,31 @@ def test_a_panic_ends_clips_and_all_eases_to_rest(people: Cast, seconds: float) 
     assert numbers(frames[-1]) == numbers(Performer(people).advance(0.0))
     assert frames[-1].clips == ()
     assert frames[-1].layers == {}
+
+
+def test_what_a_clip_played_belongs_to_a_source_again_after_a_panic(people: Cast) -> None:
+    """It belonged to nobody, until something else happened to that source; a restored performer had it at once."""
+    _, clip = perform(people)
+    weights = {"jawOpen": 0.8, "browInnerUp": 0.6}
+    sent = source_frame(people.expressions, weights, None, None)
+
+    def drive(performer: Performer, ticks: int) -> Frame:
+        for _ in range(ticks):
+            performer.drive_layer("playback", replace(sent, source="phone"))
+            frame = performer.advance(DT)
+        return frame
+
+    performer = Performer(people)
+    drive(performer, 30)
+    performer.play_clip(clip, seconds=0.2, weights={"brows": 1.0})
+    drive(performer, 30)
+    performer.panic()
+    drive(performer, 60)
+    performer.set_layer("playback", on=True)
+    other = Performer.restored(people, performer.snapshot())
+    frame = drive(performer, 120)
+    assert frame.channels == pytest.approx(weights, abs=1e-3)
+    assert numbers(drive(other, 120)) == numbers(frame)
 
 
 def test_a_clip_that_is_called_while_a_panic_eases_comes_without_a_jump(people: Cast) -> None:
