@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.space.expression import Title
+from omote.perform.layers.drivers import BACK_ACCELERATION
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.characters import AddCharacter
 from omote.show.objects.faders import SetChannel
@@ -256,6 +257,21 @@ def test_consoles_are_told_once_a_second_and_with_each_change(cast: Cast) -> Non
     assert (now.rate, now.found, now.console, now.kind) == (30, True, "phone", "tracker")
     show.drive(index, [0.5, 0.5], found=False)
     assert not show.told()[0].found
+
+
+@pytest.mark.parametrize("gap", [DT, 0.1, 0.2])
+def test_one_that_has_lost_its_performer_for_a_moment_comes_back_elsewhere_without_a_jump(
+    cast: Cast, gap: float
+) -> None:
+    """That it was lost never reached the layers: they followed it at once after less than a quarter of a second."""
+    show = Show(cast)
+    index = show.open()
+    show.play(1.0, index, [0.0, 0.0])
+    show.drive(index, [0.0, 0.0], found=False)
+    show.play(gap)
+    shown = [jaw(show.play(DT, index, [0.9, 0.0])) for _ in range(120)]
+    assert np.abs(np.diff([0.0, 0.0, *shown], 2)).max() < 1.25 * BACK_ACCELERATION * DT * DT
+    assert shown[-1] == pytest.approx(0.9, abs=1e-3)
 
 
 def test_a_stage_drives_nothing(cast: Cast) -> None:

@@ -198,7 +198,7 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
     settings = {
         layer: replace(setting, on=setting.on and layer not in sources) for layer, setting in layers.settings.items()
     }
-    owners = {layer: owners_of(drivers, layers.columns) for layer, drivers in sources.items()}  # a clip's parts are free
+    owners = {layer: owners_of(drivers, layers.columns) for layer, drivers in sources.items()}
     layers = replace(layers, settings=settings, drivers=sources, owners=owners)
     layers = with_share_goal(replace(layers, followed=_still_driving(layers.followed, sources)))
     columns = layers.columns

@@ -162,7 +162,7 @@ class OpenSources:
         self._changed = self._changed or frame.found != source.found
         share = read_share(source, frame)
         self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share)
-        if frame.found and sent is not None:
+        if sent is not None:
             self._play(scene, self._open[frame.index], sent, head, gaze)
 
     def end(self, who: str, index: int, scene: Scene) -> None:
@@ -322,7 +322,7 @@ class OpenSources:
         smoothing = source.measure.calibration.smoothing or source.smoothing
         frame = SourceFrame(
             source.names, values, head if turned else None, gaze if turned else None, source=source.name,
-            parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
+            found=source.found, parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
             route_number=route.number,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
