@@ -137,7 +137,7 @@ class PadPlaying(CalledMix):
 
         def play(on: Axis) -> Axis:
             after = axis.played(on, pad.name, place, mix, seconds, easing, follow)
-            return after if pace is None else axis.with_pace(after, pace)
+            return after if pace is None or after.call is on.call else axis.with_pace(after, pace)
 
         if pad.part == "face":
             return {"pads": pads, "face": play(now.face)}

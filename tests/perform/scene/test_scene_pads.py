@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import msgspec
+import numpy as np
 import pytest
 
 from omote.model.cast import Cast
@@ -126,6 +127,17 @@ def test_a_hand_ends_the_way_of_a_point(scene: Scene) -> None:
     scene.advance(1.0)
     scene.move_pad("one", "mood", -0.5)
     assert mix(scene, 5.0) == pytest.approx(MOOD.mix_at((-0.5,)))
+
+
+def test_a_goal_in_a_pause_leaves_the_call_by_which_a_hand_takes_the_pad_up(scene: Scene) -> None:
+    """Back in a pause of the cues held that call at once, with all that it was making way for."""
+    scene.move_pad("one", "mood", 1.0)
+    shown = [mix(scene, STEP / 4).get("jawOpen", 0.0) for _ in range(40)]
+    scene.call_goal("one/expression", goal_of_point("mood", (0.9,)), seconds=4.0, pace=0.0)
+    shown += [mix(scene, STEP / 4).get("jawOpen", 0.0) for _ in range(2)]
+    speeds = np.diff(shown) / (STEP / 4)
+    assert speeds[-3] > 1.0
+    assert speeds[-1] == pytest.approx(speeds[-3], rel=0.2)
 
 
 def test_a_goal_takes_a_pad_up_from_what_shows_and_no_seconds_cut(scene: Scene) -> None:
