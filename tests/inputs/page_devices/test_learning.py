@@ -87,9 +87,24 @@ def test_of_a_stick_the_axis_that_goes_farthest_is_bound() -> None:
     learning = Learning(HEAD, 0.0)
     steps = [[Reading("pad", "axis0", 0.5 + n / 20), Reading("pad", "axis1", 0.5 + n / 50)] for n in range(8)]
     found = next(found for each in steps if (found := learning.hear(each)) is not None)
-    assert (found.control, found.low, found.high, found.pick_up) == ("axis0", -90.0, 90.0, False)
+    assert (found.control, found.low, found.high, found.pick_up) == ("axis0", -60.0, 60.0, False)
     drift = [Reading("pad", "axis0", 0.5 + 0.02 * (n % 3)) for n in range(40)]
     assert learn(*drift, target=HEAD) is None
+
+
+@pytest.mark.parametrize(
+    ("address", "axis", "farthest"),
+    [("/omote/one/pad/moods", "y", 1.0), ("/omote/one/head", "pitch", 40.0), ("/omote/one/gaze", "pitch", 25.0)],
+)
+def test_a_stick_that_is_pushed_up_plays_up_as_far_as_the_preset_does(address: str, axis: str, farthest: float) -> None:
+    """A learned stick was upside down, and turned a head by 90 degrees."""
+    target = read_target(address, axis=axis)
+    up = learn(*(Reading("pad", "axis3", 0.5 - n / 20) for n in range(8)), target=target)
+    assert up is not None
+    assert (up.value_at(0.0), up.value_at(0.52), up.value_at(1.0)) == (farthest, 0.0, -farthest)
+    opens = learn(*(Reading("pad", "axis1", 0.5 - n / 20) for n in range(8)))
+    assert opens is not None
+    assert (opens.low, opens.high) == (1.0, 0.0)
 
 
 def test_a_stick_plays_both_halves_of_a_macro_and_rests_in_its_middle_and_a_dial_plays_one() -> None:

@@ -15,6 +15,16 @@ BANK = "bank:"
 MACRO = "macro"
 USUAL_RANGE = {"channel": (0.0, 1.0), "macro": (0.0, 1.0)}
 """The range of a fader where an address takes more than a fader usually gives."""
+STICK_DEGREES = {
+    ("head", "yaw"): 60.0,
+    ("head", "pitch"): 40.0,
+    ("head", "roll"): 30.0,
+    ("gaze", "yaw"): 35.0,
+    ("gaze", "pitch"): 25.0,
+}
+"""How far a stick turns a head or a gaze at its end: the address takes more, and shows hair or a profile then."""
+DOWNWARD = frozenset({"axis1", "axis3", "rx", "z"})
+"""Sticks whose numbers grow as they are pulled down, or tilted forward: up is more, of whatever they play."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +68,13 @@ class BoundTarget:
         """The range of a fader that has none of its own."""
         value = self.values[self.axis]
         return next((span for part, span in USUAL_RANGE.items() if f"/{part}/" in self.path), (value.low, value.high))
+
+    @property
+    def stick_range(self) -> tuple[float, float]:
+        """The range of a stick that has none of its own; its middle is rest where that of the target is."""
+        low, high = self.usual_range
+        farthest = STICK_DEGREES.get((self.path.rpartition("/")[2], self.axis_name), high)
+        return (-farthest, farthest) if self.is_macro or low < 0.0 else (low, high)
 
 
 def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None = None) -> BoundTarget:

@@ -8,7 +8,7 @@ from itertools import groupby
 from typing import Any
 
 from omote.inputs.bindings.control_binding import HIGHEST_BYTE, STEPS, Binding, Encoding
-from omote.inputs.bindings.target import BoundTarget
+from omote.inputs.bindings.target import DOWNWARD, BoundTarget
 from omote.inputs.midi_stream import FINE
 from omote.inputs.osc_hands import HAND_AXES
 from omote.inputs.reading import Reading
@@ -101,12 +101,14 @@ class Learning:
         return self._bind(reading, pick_up=False, button="toggle") if self.target.is_level else self._bind(reading)
 
     def _bind(self, reading: Reading, **more: Any) -> Binding:
-        low, high = self.target.usual_range if self.target.is_level else (0.0, 1.0)
         control = reading.control if more else self._whole(reading)
         is_stick = _is_stick(reading)
+        low, high = (0.0, 1.0) if not self.target.is_level else self.target.usual_range
         fits: dict[str, Any] = {"pick_up": not is_stick and not control.startswith("trigger")}
-        if is_stick and self.target.is_macro:
-            fits |= {"low": -high, "dead_zone": STICK_DEAD_ZONE}
+        if is_stick and control not in HAND_AXES and self.target.is_level:
+            low, high = self.target.stick_range
+            fits |= {"dead_zone": STICK_DEAD_ZONE} if low < 0.0 else {}
+            low, high = (high, low) if control in DOWNWARD else (low, high)
         return Binding(
             reading.device, control, self.target, **{"low": low, "high": high, "bank": self.bank, **fits, **more}
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from omote.inputs.bindings.target import DOWNWARD, STICK_DEGREES
 from omote.inputs.presets.preset import Preset, PresetControl
 
 # Axes 0 and 1 are the left stick, 2 and 3 the right one, + right and down; buttons 0-3 below, right, left, above,
@@ -26,16 +27,18 @@ def _standard(name: str, label: str, *matches: str) -> Preset:
     return Preset(name, label, "gamepad", matches, STANDARD)
 
 
-def _turn(axis: str, to: str, along: str, low: float, high: float) -> PresetControl:
-    return PresetControl(axis, to, along, more={"pick_up": False, "low": low, "high": high})
+def _turn(control: str, to: str, along: str) -> PresetControl:
+    farthest = STICK_DEGREES[to, along]
+    low, high = (farthest, -farthest) if control in DOWNWARD else (-farthest, farthest)
+    return PresetControl(control, to, along, more={"pick_up": False, "low": low, "high": high})
 
 
 STANDARD = (
     # the audience sees the character turn where the stick goes: its own left is the picture's right
-    _turn("axis0", "gaze", "yaw", -35.0, 35.0),
-    _turn("axis1", "gaze", "pitch", 25.0, -25.0),
-    _turn("axis2", "head", "yaw", -60.0, 60.0),
-    _turn("axis3", "head", "pitch", 40.0, -40.0),
+    _turn("axis0", "gaze", "yaw"),
+    _turn("axis1", "gaze", "pitch"),
+    _turn("axis2", "head", "yaw"),
+    _turn("axis3", "head", "pitch"),
     PresetControl("trigger6", "channel/mouthPucker", more=_STICK),
     PresetControl("trigger7", "channel/jawOpen", more=_STICK),
     *(PresetControl(key, "expression", arguments=(feeling, 0.5)) for key, feeling in _CALLS.items()),
@@ -54,11 +57,11 @@ SPACE_MOUSE = Preset(
     "space_mouse",
     (r"",),
     (
-        _turn("rz", "head", "yaw", -60.0, 60.0),
-        _turn("rx", "head", "pitch", 40.0, -40.0),
-        _turn("ry", "head", "roll", -30.0, 30.0),
-        _turn("x", "gaze", "yaw", -35.0, 35.0),
-        _turn("z", "gaze", "pitch", 25.0, -25.0),
+        _turn("rz", "head", "yaw"),
+        _turn("rx", "head", "pitch"),
+        _turn("ry", "head", "roll"),
+        _turn("x", "gaze", "yaw"),
+        _turn("z", "gaze", "pitch"),
         PresetControl("button0", "/omote/panic"),
     ),
 )
