@@ -47,6 +47,25 @@ def test_the_first_cue_records_everything_and_each_after_it_what_is_otherwise(se
     assert (first.number, second.number) == ("1", "2")
 
 
+def test_a_region_that_stands_by_itself_is_recorded_with_the_expression_that_would_take_it_along(
+    session: ShowSession,
+) -> None:
+    """Two pads, a mouth left where it was: a GO of the mood's cue took it along, and the mouth was lost."""
+    one = session.scene["one"]
+    others = list(CAST.expressions)
+    one.call_expression(others[1], seconds=0.0)
+    one.call_expression(others[2], seconds=0.0, region="mouth")
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    one.call_expression(others[3], seconds=0.0)
+    one.call_expression(others[2], seconds=0.0, region="mouth")
+    session.receive("ana", wire.RecordCue("a2"), 0.0)
+    _, second = session.cues.book.cues.values()
+    assert {part: dict(move.goal) for part, move in second.moves.items()} == {
+        "one/expression": {others[3]: 1.0},
+        "one/mouth": {others[2]: 1.0},
+    }
+
+
 def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
     session.receive("ana", wire.RecordCue("a1", parts=["*/light", "one"]), 0.0)
     (cue,) = session.cues.book.cues.values()

@@ -20,6 +20,7 @@ from omote.perform.scene.goals import (
     first_goal,
     is_of_macros,
     ranges_of,
+    regions_of,
     split_part,
 )
 from omote.perform.scene.pad_goals import is_pad_goal
@@ -261,10 +262,14 @@ def _rounded(part: Part, goal: Goal) -> Goal:
 
 def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
     """The parts that stand otherwise than cues leave them (tracked); of a cue that is looked at, what no cue moves only
-    where it was changed since."""
+    where it was changed since. An expression of the whole face takes its regions along: those that stand by themselves
+    are recorded with it, also where no cue has to move them."""
     found = context.looked_at.goals
     shown = differing(context.scene, tracked)
-    return {part: goal for part, goal in shown.items() if part in tracked or goal != found.get(part)}
+    changed = {part: goal for part, goal in shown.items() if part in tracked or goal != found.get(part)}
+    taken = {region for part in changed for region in regions_of(part)}
+    alone = {part: goal for part, goal in shown_goals(context.scene).items() if part in taken and goal}
+    return {**alone, **changed}
 
 
 def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
