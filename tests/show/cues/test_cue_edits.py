@@ -66,6 +66,20 @@ def test_a_region_that_stands_by_itself_is_recorded_with_the_expression_that_wou
     }
 
 
+def test_cues_that_are_recorded_one_after_another_stand_in_that_order_behind_the_one_called_last(
+    session: ShowSession,
+) -> None:
+    """Each stood directly behind the one called last, in front of those recorded before it."""
+    one = session.scene["one"]
+    for number, name in enumerate(list(CAST.expressions)[1:6]):
+        one.call_expression(name, seconds=0.0)
+        session.receive("ana", wire.RecordCue(f"a{number}", label=name), 0.0)
+        if number == 1:
+            session.receive("ana", wire.GoToCue("g", "2"), 1.0)
+    order = session.cues.book.orders["main"]
+    assert [session.cues.book.cues[cue].label for cue in order] == list(CAST.expressions)[1:6]
+
+
 def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
     session.receive("ana", wire.RecordCue("a1", parts=["*/light", "one"]), 0.0)
     (cue,) = session.cues.book.cues.values()

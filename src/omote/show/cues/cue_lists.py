@@ -96,6 +96,7 @@ class CueLists:
         self._states: dict[str, CueState] = {}
         self._chosen_before = ""
         self._rate = 1.0
+        self._recorded_behind: dict[tuple[str, str | None], str] = {}
         self._paused = False
         self._last_go = -math.inf
         self._pressed: dict[str, tuple[float, str]] = {}
@@ -300,12 +301,16 @@ class CueLists:
         is_meant = looked_at.cue in self.book.orders.get(chosen, ())
         looked_at = looked_at if is_meant else ON_AIR
         current = looked_at.cue or state.current
+        if isinstance(message, wire.RecordCue) and not looked_at.cue:
+            current = self._recorded_behind.get((chosen, state.current), current)
         context = cue_edits.EditContext(self.book, scene, chosen, current, by, looked_at)
         before = self.book.cues
         self._change(cue_edits.EDITS[type(message)](context, message))
         if not isinstance(message, wire.RecordCue):
             return None
         (recorded,) = self.book.cues.keys() - before.keys()
+        if not looked_at.cue and not message.cue:
+            self._recorded_behind = {(chosen, state.current): recorded}
         return LookedAt(chosen, recorded, cue_edits.shown_goals(scene))
 
     def find(self, name: str, number: str) -> tuple[str, CueList, Cue]:
