@@ -46,8 +46,8 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "mouthUpperUp*": 0.4, "browInnerUp": 0.25, "noseSneer*": 0.15,
     },
     "sad": {
-        "browInnerUp": 1.15, "browDown*": 0.15, "mouthFrown*": 1.15, "mouthShrugLower": 0.3, "eyeBlink*": 0.2,
-        "eyeLookDown*": 0.35, "mouthStretch*": 0.15,
+        "browInnerUp": 1.6, "browDown*": 0.3, "mouthFrown*": 1.25, "mouthShrugLower": 0.75, "eyeBlink*": 0.2,
+        "eyeSquint*": 0.2, "eyeLookDown*": 0.3, "mouthStretch*": 0.15,
     },
     "cry": {
         "browInnerUp": 1.0, "browDown*": 0.35, "eyeSquint*": 0.7, "eyeBlink*": 0.45, "cheekSquint*": 0.6,
@@ -106,6 +106,17 @@ PUPILS: Mapping[str, float] = {
     "smile": 0.15, "joy": 0.3, "laugh": 0.15, "sad": 0.8, "cry": 0.1, "angry": -0.9, "shout": -0.2, "surprise": 0.7,
     "fear": 1.0, "disgust": -0.6, "contempt": -0.35, "sleepy": -0.3, "kiss": 0.4, "doubt": -0.2, "pain": 0.4,
     "pout": -0.1, "cheeky": 0.2,
+}  # fmt: skip
+
+# Blood of cheeks, nose, forehead, around the eyes and of the whole face, and tears (omote.model.space.complexion).
+# Signs from the literature: people flush in anger and pale in fear (Drummond 1997), cheeks fill with pleasure; the
+# sizes are ours.
+COMPLEXIONS: Mapping[str, tuple[float, float, float, float, float, float]] = {
+    "angry": (0.55, 0.2, 0.65, 0.1, 0.15, 0.0), "shout": (0.8, 0.3, 0.8, 0.2, 0.4, 0.0),
+    "cry": (0.5, 0.95, 0.15, 1.0, 0.12, 1.0), "sad": (0.0, 0.45, 0.0, 0.75, -0.12, 0.3),
+    "joy": (0.4, 0.12, 0.0, 0.0, 0.05, 0.0), "laugh": (0.7, 0.2, 0.25, 0.15, 0.15, 0.2),
+    "fear": (-0.35, -0.1, -0.2, 0.0, -0.45, 0.0), "surprise": (-0.05, 0.0, 0.0, 0.0, -0.1, 0.0),
+    "disgust": (-0.2, 0.2, -0.1, 0.1, -0.12, 0.0), "pain": (0.4, 0.25, 0.4, 0.4, 0.25, 0.4),
 }  # fmt: skip
 
 # They move the pupils, or ears (of a face that answers with its ears), and nothing else; by what they do to the pupils.

@@ -1,6 +1,7 @@
 /** Copies of a head for each character: the same geometries and shaders, with uniforms of their own. */
 
 import * as THREE from "three";
+import type { BlendTarget } from "../blend/blender";
 import type { Uniforms } from "../gpu/renderer";
 import { buildHead, type EyeUniforms, eyeUniforms, type HeadParts, type HeadUniforms, headUniforms } from "./head";
 
@@ -23,11 +24,10 @@ export function headTemplate(parts: Omit<HeadParts, "shared" | "eyes">, shared: 
 
 /** Uniforms of one more character; grain and layers of the skin are those of `common`. */
 export function characterUniforms(
-  positions: WebGLTexture,
-  normals: WebGLTexture,
+  { positions, normals, strains }: Pick<BlendTarget, "positions" | "normals" | "strains">,
   common: HeadUniforms,
 ): CharacterUniforms {
-  const shared = headUniforms(positions, normals, common);
+  const shared = headUniforms(positions, normals, common, strains);
   return { shared, eyes: [eyeUniforms(), eyeUniforms()] };
 }
 

@@ -1,0 +1,61 @@
+/** Blood in the skin and tears on it, as the shaders take them. */
+
+import * as THREE from "three";
+import { BLOOD_SPOTS } from "../../link/constants";
+import type { Complexion } from "../pose/complexion";
+import type { SkinTraits } from "./skin_layers";
+
+/** What of the blood lies in spots, in the order of their attribute. */
+const SPOTS = ["cheeks", "nose", "forehead", "eyes"] as const;
+
+/** Metres before the eyes' origin where spots come to lie on the face, and how soon. */
+const [FRONT, RAMP] = [0.02, 0.05];
+/** How much of its blood shows through a fur. */
+const THROUGH_FUR = 0.35;
+
+/** The uniforms of blood and tears. */
+export const bloodUniforms = () => ({
+  blood: { value: new THREE.Vector4() }, // of the spots
+  flush: { value: 0 }, // of the whole face
+  tears: { value: 0 },
+  drops: { value: 0 }, // metres
+});
+
+export type BloodUniforms = ReturnType<typeof bloodUniforms>;
+
+/** Writes a complexion for the next frame; lacquer hides all of it, and a fur most. */
+export function writeBlood(
+  shown: Complexion,
+  { lacquer, fur }: Pick<SkinTraits, "lacquer" | "fur">,
+  into: BloodUniforms,
+) {
+  const bare = (1 - lacquer) * (1 - (1 - THROUGH_FUR) * fur);
+  into.blood.value.fromArray(SPOTS.map((spot) => bare * shown[spot]));
+  into.flush.value = bare * shown.whole;
+  into.tears.value = shown.tears * (1 - lacquer);
+  into.drops.value = shown.drops;
+}
+
+/** How much each row of the generic face (metres) belongs to each spot, four numbers a row. */
+export function bloodSpots(positions: Float32Array): Float32Array {
+  return Float32Array.from({ length: (4 * positions.length) / 3 }, (_, at) => {
+    const [x = 0, y = 0, z = 0] = positions.subarray(3 * (at >> 2), 3 * (at >> 2) + 3);
+    const ahead = THREE.MathUtils.smoothstep(z, FRONT, FRONT + RAMP);
+    const spots = BLOOD_SPOTS[SPOTS[at & 3] as (typeof SPOTS)[number]];
+    return spots.reduce((sum, [across, up, wide, tall, share]) => {
+      return sum + ahead * share * Math.exp(-(((Math.abs(x) - across) / wide) ** 2) - ((y - up) / tall) ** 2);
+    }, 0);
+  });
+}
+
+/** Blood at a vertex, and the colour that it takes from the skin's own: in proportion, so that dark skin deepens and does not turn pink. */
+export const BLOOD = `
+in vec4 spots; // cheeks, nose, forehead, around the eyes
+uniform vec4 blood;
+uniform float flush;
+
+float bloodAt(float pressed) { return clamp(flush + dot(spots, blood) + pressed, -0.8, 1.4); }
+`;
+export const FLUSHED = `
+vec3 flushed(float blood) { return exp(-blood * vec3(0.07, 0.52, 0.44)); }
+`;
