@@ -34,6 +34,7 @@ from omote.model.albedo import SkinAtlas
 from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC
+from omote.model.space.complexion import Complexion
 from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain
@@ -133,5 +134,5 @@ def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace, *, s
         ears=arrays["ears"][row],
         head=arrays["head"][row],
         signed=signed,
-        complexion=arrays["complexion"][row].tolist(),
+        complexion=Complexion(*np.round(arrays["complexion"][row].astype(np.float64), 6).tolist()),
     )

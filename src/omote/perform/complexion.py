@@ -9,10 +9,11 @@ from typing import Literal, get_args
 
 from omote.model.space.complexion import MOST, PALE, PARTS, REGIONS, Complexion
 from omote.model.space.expression import Expression
+from omote.perform.easing import find_easing, is_over
 from omote.perform.frame import Frame, with_fields
 from omote.perform.layers.follower import REST_SECONDS, follow_number, rate_of
 from omote.perform.limits import CHANNEL_HIGHEST, FOREVER, check_known, check_within
-from omote.perform.panic import PANIC_SECONDS
+from omote.perform.panic import PANIC_EASING, PANIC_SECONDS
 
 SkinFader = Literal["folds", "blood"]
 SKIN_FADERS: tuple[SkinFader, ...] = get_args(SkinFader)
@@ -26,7 +27,6 @@ FALLS: Complexion = Complexion(6.0, 6.0, 6.0, 8.0, 5.0, 12.0)
 at its height after some 15 s in people (Drummond 1997); a stage has less time."""
 _RATES = tuple(zip(map(rate_of, RISES), map(rate_of, FALLS), strict=True))
 _FADER_RATE = rate_of(FADER_SECONDS)
-_PANIC_RATE = rate_of(PANIC_SECONDS)
 DROP_SPEED = 0.009
 """Metres a second that drops run where tears are as many as there can be."""
 _NEAR = 1e-4
@@ -41,14 +41,15 @@ LOWEST = -0.8
 class Skin:
     """The skin of a character. faders: as set, of those that are not 1; first, second: the complexion after the first
     and after both filters that follow it; folds: the fader, followed alike; drops: the metres that tears have run since
-    they began; panicked: blood and tears are on their way out in the time of a panic."""
+    they began; left: what a panic found, which is on its way out; released: seconds since, None where none did."""
 
     faders: Mapping[SkinFader, float] = field(default_factory=dict)
     first: Complexion = PALE
     second: Complexion = PALE
     folds: tuple[float, float] = (1.0, 1.0)
     drops: float = 0.0
-    panicked: bool = False
+    left: Complexion = PALE
+    released: float | None = None
 
 
 AS_IT_IS = Skin()
@@ -75,8 +76,18 @@ def fader_at(skin: Skin | None, name: SkinFader) -> float:
 
 
 def calm_skin(skin: Skin | None) -> Skin | None:
-    """The skin from a panic on: blood and tears are gone soon. skin: None as it is at first."""
-    return None if skin is None else replace(skin, panicked=True)
+    """The skin from a panic on: what shows of blood and tears is gone in its time. skin: None as it is at first."""
+    if skin is None:
+        return None
+    return replace(skin, first=PALE, second=PALE, left=_shown(skin), released=0.0)
+
+
+def _shown(skin: Skin) -> Complexion:
+    """The complexion as it shows."""
+    if skin.released is None:
+        return skin.second
+    share = 1.0 - find_easing(PANIC_EASING).value(skin.released / PANIC_SECONDS)
+    return _add(skin.second, skin.left, share)
 
 
 def complexion_of(expressions: Mapping[str, Expression], frame: Frame) -> Complexion:
@@ -127,30 +138,33 @@ def advance_skin(skin: Skin, goal: Complexion, dt: float) -> Skin:
 
     skin: as it is; goal: what the expressions bring; dt: seconds, above 0.
     """
+    if skin.released is not None:
+        return _calmed(skin, skin.released + dt)
     blood = skin.faders.get("blood", 1.0)
     *flush, tears = goal
     goals = (*(blood * value for value in flush), tears)
     wanted = skin.faders.get("folds", 1.0)
     if skin.second == goals and skin.first == goals and skin.folds == (wanted, wanted):
-        return with_fields(skin, drops=_run(skin, skin.second, dt), panicked=skin.panicked and any(goals))
+        return with_fields(skin, drops=_run(skin, skin.second, dt)) if tears else skin
     if dt >= _LONGEST_GAP:
         there = Complexion(*goals)
-        ran = _run(skin, there, dt)
-        return with_fields(skin, first=there, second=there, folds=(wanted, wanted), drops=ran, panicked=False)
+        return with_fields(skin, first=there, second=there, folds=(wanted, wanted), drops=_run(skin, there, dt))
     firsts, seconds = [], []
     for value, first, second, (rises, falls) in zip(goals, skin.first, skin.second, _RATES, strict=True):
-        rate = rises if abs(value) >= abs(second) else falls
-        if skin.panicked:
-            rate = max(rate, _PANIC_RATE)
-        near, nearer = _followed(first, second, value, rate, dt)
+        near, nearer = _followed(first, second, value, rises if abs(value) >= abs(second) else falls, dt)
         firsts.append(near)
         seconds.append(nearer)
     folds = _followed(*skin.folds, wanted, _FADER_RATE, dt)
     later = Complexion(*seconds)
-    calmed = skin.panicked and any(later)
-    return with_fields(
-        skin, first=Complexion(*firsts), second=later, folds=folds, drops=_run(skin, later, dt), panicked=calmed
-    )
+    return with_fields(skin, first=Complexion(*firsts), second=later, folds=folds, drops=_run(skin, later, dt))
+
+
+def _calmed(skin: Skin, released: float) -> Skin:
+    """The skin so many seconds after a panic: what comes on air meanwhile brings nothing yet."""
+    folds = skin.faders.get("folds", 1.0)
+    if is_over(released, PANIC_SECONDS):
+        return with_fields(skin, left=PALE, released=None, folds=(folds, folds), drops=0.0)
+    return with_fields(skin, released=released)
 
 
 def _run(skin: Skin, shown: Complexion, dt: float) -> float:
@@ -171,13 +185,14 @@ def _followed(first: float, second: float, goal: float, rate: float, dt: float) 
 
 def is_at_rest(skin: Skin) -> bool:
     """Whether nothing is set of a skin and nothing shows."""
-    return not (skin.faders or any(skin.first) or any(skin.second) or skin.folds != (1.0, 1.0))
+    still = skin.released is None and skin.folds == (1.0, 1.0)
+    return still and not (skin.faders or any(skin.first) or any(skin.second))
 
 
 def with_skin(frame: Frame, skin: Skin) -> Frame:
     """A frame with what shows of blood, tears and folds. frame: all else; skin: as it is now."""
     return with_fields(
-        frame, complexion=skin.second, drops=skin.drops, folds=skin.folds[1], skin=skin.faders or _NO_FADERS
+        frame, complexion=_shown(skin), drops=skin.drops, folds=skin.folds[1], skin=skin.faders or _NO_FADERS
     )
 
 
@@ -189,9 +204,11 @@ def check_skin(skin: Skin | None) -> Skin | None:
         check_skin_fader(name)
         check_within(amount, 0.0, SKIN_LIMIT, "the amount of a fader of the skin")
     most = SKIN_LIMIT * MOST * CHANNEL_HIGHEST
-    for values in (skin.first, skin.second):
+    for values in (skin.first, skin.second, skin.left):
         for part, value in zip(PARTS, values, strict=True):
             check_within(value, -most, most, f"{part} of a complexion")
+    if skin.released is not None:
+        check_within(skin.released, 0.0, PANIC_SECONDS, "the time since a panic calmed the skin (seconds)")
     check_within(skin.drops, 0.0, FOREVER, "how far tears have run (metres)")
     for amount in skin.folds:
         check_within(amount, 0.0, SKIN_LIMIT, "the amount of a fader of the skin")
