@@ -49,7 +49,7 @@ def test_blood_comes_in_seconds_and_goes_more_slowly() -> None:
     performer.call_expression("neutral", seconds=0)
     left = played(performer, RISES.nose).complexion
     assert left.nose > 0.3 * goal.nose
-    assert played(performer, FALLS.nose - RISES.nose).complexion.nose == pytest.approx(0.1 * goal.nose, rel=0.05)
+    assert played(performer, FALLS.nose - RISES.nose).complexion.nose == pytest.approx(0.1 * goal.nose, abs=0.01)
     assert played(performer, 40.0).complexion == PALE
     assert performer.snapshot().skin is None
 

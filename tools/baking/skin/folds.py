@@ -62,9 +62,9 @@ LEVEL: Sequence[Line] = (
 )
 UPRIGHT: Sequence[Line] = (
     # between the brows
-    Line(((8, 11), (7, 18), (8, 26), (10.5, 34)), 1.15, 1.7, 0.0),
-    Line(((2.6, 14), (2.2, 21), (3.2, 28)), 0.70, 1.2, 0.40),
-    Line(((13.5, 22), (13, 28), (15, 34)), 0.70, 1.4, 0.30),
+    Line(((8, 9), (6.8, 15), (7.4, 22), (9.5, 29)), 1.40, 2.3, 0.0),
+    Line(((1.9, 12), (1.6, 19), (2.4, 25)), 0.60, 1.3, 0.50),
+    Line(((14, 20), (14, 26), (16, 32)), 0.70, 1.7, 0.45),
     # from the nose to the corner of the mouth, and on to the chin
     Line(((17, -33), (20, -38), (25, -46), (30, -55), (33, -64)), 1.30, 2.2, 0.10),
     Line(((27, -69), (29.5, -76), (30, -85), (28, -94)), 0.80, 1.6, 0.50),
@@ -119,7 +119,7 @@ def _paint(texels: Texels, lines: Sequence[Line], main: Floats) -> Floats:
         for points in _both_sides(np.array(line.points, dtype=np.float64)):
             _draw(flat, seen, flat[seen][at.query(_divided(points))[1]], line, main, found, drawn)
     slope = np.clip(0.5 + 0.5 * found[:, 0] / STEEPEST, 0.0, 1.0)
-    rank = drawn[:, 0] / drawn[:, 2] / RANKS
+    rank = np.clip(drawn[:, 0] / drawn[:, 2] / RANKS, 0.0, 1.0)
     turn = np.clip(0.5 + drawn[:, 1] / drawn[:, 2] / _TURNS, 0.0, 1.0)
     picture = texels.spread(np.stack([slope, np.clip(found[:, 1], 0.0, 1.0), rank, turn], axis=1))
     picture[texels.spread(np.ones(len(flat))) == 0.0] = [0.5, 0.0, 1.0, 0.5]

@@ -43,7 +43,7 @@ OF_REGION: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """The parts that a layer of a recipe brings in one region of the head alone; all of them without a region."""
 SPOTS: Mapping[str, tuple[tuple[float, float, float, float, float], ...]] = MappingProxyType(
     {
-        "cheeks": ((0.046, -0.032, 0.024, 0.021, 1.0),),
+        "cheeks": ((0.049, -0.034, 0.030, 0.026, 1.0),),
         "nose": ((0.0, -0.034, 0.015, 0.016, 1.0), (0.0, -0.098, 0.017, 0.012, 0.6)),
         "forehead": ((0.0, 0.044, 0.046, 0.027, 1.0), (0.0, 0.016, 0.015, 0.014, 0.5)),
         "eyes": ((0.034, -0.003, 0.022, 0.016, 1.0),),

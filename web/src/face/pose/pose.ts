@@ -71,6 +71,10 @@ function mixComplexion(from: Pose["complexion"], to: Pose["complexion"], part: n
   });
 }
 
+function mixFolds(from: Pose["folds"], to: Pose["folds"], part: number): Pose["folds"] {
+  return from === undefined && to === undefined ? undefined : (from ?? 1) + ((to ?? 1) - (from ?? 1)) * part;
+}
+
 /** The pose part of the way (0..1) from `from` to `to`; sums of weights stay what they are. */
 export function mixPoses(from: Pose, to: Pose, part: number): Pose {
   return {
@@ -83,7 +87,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     eyes: mixAngles(from.eyes, to.eyes, part),
     light: mixWeights(from.light, to.light, part),
     complexion: mixComplexion(from.complexion, to.complexion, part),
-    folds: (from.folds ?? 1) + ((to.folds ?? 1) - (from.folds ?? 1)) * part,
+    folds: mixFolds(from.folds, to.folds, part),
   };
 }
 

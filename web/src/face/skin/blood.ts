@@ -57,5 +57,6 @@ uniform float flush;
 float bloodAt(float pressed) { return clamp(flush + dot(spots, blood) + pressed, -0.8, 1.4); }
 `;
 export const FLUSHED = `
-vec3 flushed(float blood) { return exp(-blood * vec3(0.07, 0.52, 0.44)); }
+/** Skin without blood is sallow, not green. */
+vec3 flushed(float blood) { return exp(-blood * (blood > 0.0 ? vec3(0.07, 0.52, 0.44) : vec3(0.16, 0.38, 0.42))); }
 `;

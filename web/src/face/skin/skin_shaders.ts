@@ -118,7 +118,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   if (folds > 0.0) {
     Folded folded = foldsAt(form, at);
     normal = normalize(normal - folded.slope);
-    at.albedo *= mix(vec3(1.0), mix(vec3(0.62, 0.45, 0.39), vec3(0.5), at.fur), folded.groove);
+    at.albedo *= mix(vec3(1.0), mix(vec3(0.60, 0.47, 0.42), vec3(0.5), at.fur), folded.groove);
     open *= mix(1.0, 0.65, folded.groove);
   }
 #else
