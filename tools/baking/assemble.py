@@ -169,9 +169,9 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     for name, move in moves.items():
         skin = keep_bag_inside(space, carry_bag(space, move.skin, move.parts["teeth_lower"]))
         taken = extract(space, generic, skin, parts=move.parts)
-        answers = {"ears": ear_turns(name), "head": head_turn(name)}
         blood = Complexion(*COMPLEXIONS.get(name, PALE))
-        expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), complexion=blood, **answers))
+        turned = replace(taken, ears=ear_turns(name), head=head_turn(name))
+        expressions.append(replace(turned, pupil=PUPILS.get(name, 0.0), complexion=blood))
         step(name)
     for name, pupil in {**OMOTE, **dict.fromkeys(SPRING_EARS, 0.0)}.items():
         expressions.append(replace(_at_rest(space), pupil=pupil, ears=ear_turns(name), head=head_turn(name)))

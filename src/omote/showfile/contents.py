@@ -105,7 +105,7 @@ def pack_expression(expression: Expression, /) -> bytes:
             pupil=expression.pupil,
             ears=_unless_still(expression.ears),
             head=_unless_still(expression.head),
-            complexion=tuple(expression.complexion) if any(expression.complexion) else None,
+            complexion=expression.complexion if any(expression.complexion) else None,
         )
     )
 

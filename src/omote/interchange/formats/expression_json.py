@@ -120,7 +120,7 @@ def to_dense(expression: Expression, /) -> Dense:
         transfer=msgspec.convert(expression.transfer, Literal["smooth", "paper"]),
         ears=msgspec.convert(_turns(expression.ears), tuple[float, float, float, float, float, float] | None),
         head=msgspec.convert(_turns(expression.head), tuple[float, float, float] | None),
-        complexion=tuple(expression.complexion) if any(expression.complexion) else None,
+        complexion=expression.complexion if any(expression.complexion) else None,
     )
 
 

@@ -6,7 +6,6 @@ An expression carries it with its field; what is on air follows in seconds (docs
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from numbers import Real
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -38,7 +37,7 @@ REGIONS: Mapping[str, PlayRegion | None] = MappingProxyType(
 
 
 OF_REGION: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {"brows": ("forehead",), "eyes": ("eyes", "tears"), "nose": ("nose",), "cheeks": ("cheeks",)}
+    {"brows": ("forehead",), "eyes": ("eyes", "tears"), "nose": ("nose",), "cheeks": ("cheeks",), "skull": ("whole",)}
 )
 """The parts that a layer of a recipe brings in one region of the head alone; all of them without a region."""
 SPOTS: Mapping[str, tuple[tuple[float, float, float, float, float], ...]] = MappingProxyType(
@@ -65,7 +64,7 @@ def check_complexion(values: object) -> Complexion:
             f"the complexion of an expression has {len(values)} numbers; expected {len(PARTS)}: {', '.join(PARTS)}"
         )
     for part, value in zip(PARTS, values, strict=True):
-        if isinstance(value, bool) or not isinstance(value, Real):
+        if isinstance(value, bool) or not isinstance(value, int | float):
             raise TypeError(f"{part} of a complexion is {value!r}; expected a number")
         if not abs(value) <= MOST:
             raise ValueError(f"{part} of a complexion is {value!r}; expected a number from {-MOST:g} to {MOST:g}")
