@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.model.space.complexion import PALE, PARTS, Complexion
-from omote.perform.complexion import FALLS, HIGHEST, LOWEST, RISES, SKIN_FADERS, complexion_of
+from omote.perform.complexion import FALLS, RISES
 from omote.perform.frame import Frame
 from omote.perform.performer import Performer
 
@@ -88,25 +88,6 @@ def test_the_fader_of_blood_takes_colour_alone_and_that_of_folds_is_followed() -
     assert dict(played(performer, 1.0).skin) == {}
 
 
-def test_a_region_brings_what_is_in_it() -> None:
-    cast = load_cast()
-    cry = cast.expressions["cry"].complexion
-    frame = Frame({"generic": 1.0}, {"neutral": 1.0}, regions={"eyes": {"cry": 1.0}})
-    assert complexion_of(cast.expressions, frame) == Complexion(eyes=cry.eyes, tears=cry.tears)
-    frame = Frame({"generic": 1.0}, {"cry": 1.0}, regions={"eyes": {"neutral": 1.0}})
-    assert complexion_of(cast.expressions, frame) == cry._replace(eyes=0.0, tears=0.0)
-
-
-def test_channels_bring_theirs_and_the_sum_is_held() -> None:
-    cast = load_cast()
-    frame = Frame({"generic": 1.0}, {"shout": 1.0}, channels={"angry": 1.5, "cry": 1.5, "fear": -0.5})
-    shown = complexion_of(cast.expressions, frame)
-    assert shown.cheeks == HIGHEST
-    assert shown.tears == 1.0
-    pale = Frame({"generic": 1.0}, {"fear": 1.0}, channels={"fear": 1.5, "disgust": 1.5})
-    assert complexion_of(cast.expressions, pale).whole == LOWEST
-
-
 @given(st.lists(st.sampled_from(["cry", "angry", "fear", "joy", "neutral"]), min_size=1, max_size=4))
 def test_a_restored_performer_goes_on_to_the_bit(called: list[str]) -> None:
     performer = Performer(load_cast())
@@ -121,18 +102,6 @@ def test_long_steps_and_short_ones_agree_while_nothing_is_called() -> None:
     short = crying()
     long = crying()
     assert tuple(played(short, 12.0).complexion) == pytest.approx(tuple(long.advance(12.0).complexion), abs=2e-3)
-
-
-@pytest.mark.parametrize("name", ["sweat", "", None])
-def test_a_fader_that_there_is_not_is_refused(name: object) -> None:
-    with pytest.raises(ValueError, match="there is no fader of the skin"):
-        Performer(load_cast()).set_skin(name, 1.0)  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize("name", SKIN_FADERS)
-def test_an_amount_beyond_its_range_is_refused(name: str) -> None:
-    with pytest.raises(ValueError, match=r"the amount of a fader of the skin is 1\.6"):
-        Performer(load_cast()).set_skin(name, 1.6)
 
 
 def test_own_expressions_have_theirs() -> None:

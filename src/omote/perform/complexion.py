@@ -150,7 +150,8 @@ def advance_skin(skin: Skin, goal: Complexion, dt: float) -> Skin:
     if dt >= _LONGEST_GAP:
         there = Complexion(*goals)
         return with_fields(skin, first=there, second=there, folds=(wanted, wanted), drops=_run(skin, there, dt))
-    firsts, seconds = [], []
+    firsts = list[float]()
+    seconds = list[float]()
     for value, first, second, (rises, falls) in zip(goals, skin.first, skin.second, _RATES, strict=True):
         near, nearer = _followed(first, second, value, rises if abs(value) >= abs(second) else falls, dt)
         firsts.append(near)

@@ -3,7 +3,7 @@
 import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
 import { FOLDING_MOST, HAIRLINE } from "../../link/constants";
-import { bloodSpots } from "../skin/blood";
+import { bloodSpots } from "./blood_spots";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
 import { bagDepths, lipRows } from "./mouth_bag";
 import { type RegionMasks, readRegionMasks } from "./region_masks";

@@ -1,7 +1,6 @@
 /** Copies of a head for each character: the same geometries and shaders, with uniforms of their own. */
 
 import * as THREE from "three";
-import type { BlendTarget } from "../blend/blender";
 import type { Uniforms } from "../gpu/renderer";
 import { buildHead, type EyeUniforms, eyeUniforms, type HeadParts, type HeadUniforms, headUniforms } from "./head";
 
@@ -22,11 +21,15 @@ export function headTemplate(parts: Omit<HeadParts, "shared" | "eyes">, shared: 
   return { head: buildHead({ ...parts, shared, eyes }), shared, eyes };
 }
 
+/** The textures that a character is blended into. */
+interface Blended {
+  readonly positions: WebGLTexture;
+  readonly normals: WebGLTexture;
+  readonly strains: WebGLTexture;
+}
+
 /** Uniforms of one more character; grain and layers of the skin are those of `common`. */
-export function characterUniforms(
-  { positions, normals, strains }: Pick<BlendTarget, "positions" | "normals" | "strains">,
-  common: HeadUniforms,
-): CharacterUniforms {
+export function characterUniforms({ positions, normals, strains }: Blended, common: HeadUniforms): CharacterUniforms {
   const shared = headUniforms(positions, normals, common, strains);
   return { shared, eyes: [eyeUniforms(), eyeUniforms()] };
 }

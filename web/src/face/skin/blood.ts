@@ -1,15 +1,12 @@
 /** Blood in the skin and tears on it, as the shaders take them. */
 
 import * as THREE from "three";
-import { BLOOD_SPOTS } from "../../link/constants";
-import type { Complexion } from "../pose/complexion";
+import { SPOTS } from "../anatomy/blood_spots";
 import type { SkinTraits } from "./skin_layers";
 
-/** What of the blood lies in spots, in the order of their attribute. */
-const SPOTS = ["cheeks", "nose", "forehead", "eyes"] as const;
+/** Blood by part of the face, tears, and the metres that these have run. */
+type ShownBlood = Readonly<Record<(typeof SPOTS)[number] | "whole" | "tears" | "drops", number>>;
 
-/** Metres before the eyes' origin where spots come to lie on the face, and how soon. */
-const [FRONT, RAMP] = [0.02, 0.05];
 /** How much of its blood shows through a fur. */
 const THROUGH_FUR = 0.35;
 
@@ -25,7 +22,7 @@ export type BloodUniforms = ReturnType<typeof bloodUniforms>;
 
 /** Writes a complexion for the next frame; lacquer hides all of it, and a fur most. */
 export function writeBlood(
-  shown: Complexion,
+  shown: ShownBlood,
   { lacquer, fur }: Pick<SkinTraits, "lacquer" | "fur">,
   into: BloodUniforms,
 ) {
@@ -34,18 +31,6 @@ export function writeBlood(
   into.flush.value = bare * shown.whole;
   into.tears.value = shown.tears * (1 - lacquer);
   into.drops.value = shown.drops;
-}
-
-/** How much each row of the generic face (metres) belongs to each spot, four numbers a row. */
-export function bloodSpots(positions: Float32Array): Float32Array {
-  return Float32Array.from({ length: (4 * positions.length) / 3 }, (_, at) => {
-    const [x = 0, y = 0, z = 0] = positions.subarray(3 * (at >> 2), 3 * (at >> 2) + 3);
-    const ahead = THREE.MathUtils.smoothstep(z, FRONT, FRONT + RAMP);
-    const spots = BLOOD_SPOTS[SPOTS[at & 3] as (typeof SPOTS)[number]];
-    return spots.reduce((sum, [across, up, wide, tall, share]) => {
-      return sum + ahead * share * Math.exp(-(((Math.abs(x) - across) / wide) ** 2) - ((y - up) / tall) ** 2);
-    }, 0);
-  });
 }
 
 /** Blood at a vertex, and the colour that it takes from the skin's own: in proportion, so that dark skin deepens and does not turn pink. */
