@@ -30,7 +30,7 @@ def test_nothing_worn_presses_by_the_least_that_counts_and_more_presses_more() -
     assert (frown >= rest).all()
     assert (both >= frown).all()
     between = (np.abs(SPACE.points[:, 0]) < 0.008) & (np.abs(SPACE.points[:, 1] - 0.02) < 0.006) & (rest > 0)
-    assert (both[between] > 2 * least).all()
+    assert both[between].max() > 3 * least
 
 
 def test_both_sides_are_pressed_alike() -> None:

@@ -4,7 +4,7 @@ import { MathUtils } from "three";
 import { BLOOD_SPOTS } from "../../link/constants";
 
 /** What of the blood lies in spots, in the order of their attribute. */
-export const SPOTS = ["cheeks", "nose", "forehead", "eyes"] as const;
+export const SPOTS = Object.keys(BLOOD_SPOTS) as (keyof typeof BLOOD_SPOTS)[];
 
 /** Metres before the eyes' origin where spots come to lie on the face, and how soon. */
 const [FRONT, RAMP] = [0.02, 0.05];

@@ -1,11 +1,15 @@
 /** Blood in the skin and tears on it, as the shaders take them. */
 
 import * as THREE from "three";
-import { SPOTS } from "../anatomy/blood_spots";
+import { BLOOD_SPOTS } from "../../link/constants";
 import type { SkinTraits } from "./skin_layers";
 
+/** What of the blood lies in spots, in the order of their attribute (`blood_spots.ts`). */
+type Spot = keyof typeof BLOOD_SPOTS;
+const SPOTS = Object.keys(BLOOD_SPOTS) as Spot[];
+
 /** Blood by part of the face, tears, and the metres that these have run. */
-type ShownBlood = Readonly<Record<(typeof SPOTS)[number] | "whole" | "tears" | "drops", number>>;
+type ShownBlood = Readonly<Record<Spot | "whole" | "tears" | "drops", number>>;
 
 /** How much of its blood shows through a fur. */
 const THROUGH_FUR = 0.35;
