@@ -61,7 +61,7 @@ def strains(page: Page, cast: Cast) -> Floats:
 def expected(cast: Cast, frame: Frame, worn: Floats) -> Floats:
     """The same by Python. worn: positions of the skin (V, 3) under the frame."""
     assert cast.folding is not None
-    rest = omote.evaluate(cast, Frame(frame.faces, {"neutral": 1.0}))
+    rest = omote.evaluate(cast, Frame(frame.faces, {"neutral": 1.0})).astype(np.float64)
     triangles = fans_of(cast.space.triangles, cast.folding > 0)
     return vertex_strain(rest, worn, triangles)
 
@@ -75,7 +75,7 @@ def test_strain_is_that_of_the_evaluator(stage: Callable[[str], Page], cast: Cas
         found = strains(page, cast)
         drawn = floats(page, "window.omoteStage.readPositions()").reshape(-1, 3)[: cast.space.vertex_count]
         assert found == pytest.approx(expected(cast, frame, drawn), abs=0.0005), emotion
-        own = omote.evaluate(cast, frame)
+        own = omote.evaluate(cast, frame).astype(np.float64)
         off = np.abs(found - expected(cast, frame, own)).max(axis=1) > 0.01
         assert off.sum() <= MUZZLES.get(face, 0), emotion
 

@@ -127,8 +127,8 @@ def _held(sum_of_all: Complexion) -> Complexion:
     if sum_of_all is PALE:
         return PALE
     *blood, tears = sum_of_all
-    held = [min(max(value, LOWEST), HIGHEST) for value in blood]
-    return Complexion(*held, tears=min(max(tears, 0.0), 1.0))
+    held = Complexion(*[min(max(value, LOWEST), HIGHEST) for value in blood])
+    return held._replace(tears=min(max(tears, 0.0), 1.0))
 
 
 def advance_skin(skin: Skin, goal: Complexion, dt: float) -> Skin:
