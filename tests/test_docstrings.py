@@ -229,6 +229,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Performer.set_motion", TypeError): lambda: performer.set_motion(words),
         ("Performer.set_spring", ValueError): lambda: performer.set_spring("tail", 1.0),
         ("Performer.set_spring", TypeError): lambda: performer.set_spring("ears-sway", words),
+        ("Performer.set_skin", ValueError): lambda: performer.set_skin("sweat", 1.0),
+        ("Performer.set_skin", TypeError): lambda: performer.set_skin("folds", words),
         ("Performer.set_layer", TypeError): lambda: performer.set_layer("lips", influence=words),
         ("Performer.say", ValueError): lambda: performer.say("a", language="fr"),
         ("Performer.say", TypeError): lambda: performer.say("a", delay=words),

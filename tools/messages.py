@@ -28,12 +28,15 @@ from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.model.fitting.landmarks import SEVEN
+from omote.model.folding import LIDS, RANGE
 from omote.model.hair import STRETCH
 from omote.model.known_names import PLAY_REGIONS
 from omote.model.sculpting.sculpt import WARP_UNIT
+from omote.model.space.complexion import OF_REGION, REGIONS, SPOTS
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
+from omote.perform.complexion import HIGHEST, LOWEST, SKIN_FADERS, SKIN_LIMIT
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
@@ -184,6 +187,20 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
     "SPRINGS": ("The springs of a character.", SPRING_NAMES),
+    "SKIN_FADERS": ("The faders of a character's skin.", SKIN_FADERS),
+    "SKIN_LIMIT": ("How far a fader of the skin goes.", SKIN_LIMIT),
+    "COMPLEXION": ("The numbers of a complexion, with the region whose mix brings each.", dict(REGIONS)),
+    "BLOOD_SPOTS": (
+        "Where blood shows on the generic head: middle, radii (metres), share.",
+        {part: [list(spot) for spot in spots] for part, spots in SPOTS.items()},
+    ),
+    "COMPLEXION_OF_REGION": (
+        "What of a complexion a layer brings in one region of the head alone.",
+        {region: list(parts) for region, parts in OF_REGION.items()},
+    ),
+    "LID_UNITS": ("Units whose pressing of the skin counts as rest.", LIDS),
+    "FOLDING_MOST": ("What 255 of the folding of a vertex stands for.", RANGE[1]),
+    "COMPLEXION_RANGE": ("What blood is held in where several expressions bring it.", (LOWEST, HIGHEST)),
     "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
     "SPEECH": ("The source of what a character says, which ends by itself.", SPEECH),
     "LIPS_INFLUENCE": (

@@ -262,7 +262,7 @@ def test_a_blink_takes_the_lashes_along_and_leaves_the_other_eye(side: str) -> N
 def test_the_mask_has_lips_brows_and_blush_where_the_face_has_them() -> None:
     mask = read_png(builtin.load_mask())
     skin = builtin.load_meshes()[0]
-    assert mask.shape == (6 * 1024, 1024, 4)  # the layers lie one below the other; this is the first
+    assert mask.shape == (8 * 1024, 1024, 4)  # the layers lie one below the other; this is the first
     texel = (skin.uv * 1023).round().astype(int)
     lips, brows, blush, light = mask[texel[:, 1], texel[:, 0]].astype(float).T / 255
     x, y, z = GENERIC.positions[skin.source].T

@@ -88,6 +88,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "set_layer": lambda one: one.set_layer("emotion", region="mouth", influence=0.5),
     "set_motion": lambda one: one.set_motion(0.5, blinks=1.5, seed=3),
     "set_spring": lambda one: one.set_spring("jowls-sway", 0.25),
+    "set_skin": lambda one: one.set_skin("blood", 0.25),
     "look_at": lambda one: one.look_at("direction", yaw=0.02, pitch=-0.01),
     "look_at a point, idle": lambda one: (one.look_at("point", z=1.5), one.set_motion(idle=True)),
     "set_layer off": lambda one: one.set_layer("emotion", on=False),

@@ -28,7 +28,7 @@ from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import Lease, ReleaseLease
 from omote.show.objects.memories import CallMemory, KeepMemory
-from omote.show.objects.motion import LookAt, SetMotion, SetSpring
+from omote.show.objects.motion import LookAt, SetMotion, SetSkin, SetSpring
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from tests import synthetic
 
@@ -62,6 +62,7 @@ def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)
         ("look_at/stage", ["left"], LookAt("one", "stage", "left")),
         ("motion/idle", [True], SetMotion("one", idle=True)),
         ("spring/ears-sway", [0.5], SetSpring("one", "ears-sway", 0.5)),
+        ("skin/folds", [0.5], SetSkin("one", "folds", 0.5)),
         ("fade/face", [0.5], FadeFace("one", 0.5)),
         ("fade/expression", [1], FadeExpression("one", 1.0)),
         ("release/face", [], ReleaseFace("one")),

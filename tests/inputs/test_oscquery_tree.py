@@ -19,6 +19,7 @@ from omote.inputs.oscquery_tree import (
     with_values,
 )
 from omote.model.known_names import PLAY_REGIONS
+from omote.perform.complexion import SKIN_FADERS
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
@@ -96,6 +97,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             known = {*PADS} if address.path.startswith("pad/") else known
             known = {*macros[owner]} if address.path.startswith("macro/") else known
             known = {*SPRING_NAMES} if address.path.startswith("spring/") else known
+            known = {*SKIN_FADERS} if address.path.startswith("skin/") else known
             unlisted = ("memory", "clip", "setup")  # whose names no cast has
             known = set() if address.path.startswith(unlisted) else known
             names = known if "{name}" in written or layered else {""}

@@ -14,6 +14,7 @@ from hypothesis.extra.numpy import arrays
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.albedo import Albedo
 from omote.model.cast import TRAITS, Cast, Look
+from omote.model.space.complexion import PALE
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import GAIN_REGIONS, Gain
@@ -61,6 +62,7 @@ def expressions(draw: st.DrawFn) -> Expression:
         pupil=draw(numbers),
         ears=draw(arrays(np.float64, (2, 3), elements=numbers)),
         head=draw(arrays(np.float64, 3, elements=numbers)),
+        complexion=draw(st.one_of(st.just(PALE), st.tuples(*[st.floats(-2.0, 2.0)] * 6))),
     )
 
 
@@ -80,7 +82,7 @@ def bits(expression: Expression) -> list[object]:
     own = [getattr(expression, name) for name in ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")]
     parts = sorted(expression.parts.items())
     numbers = [(array.shape, array.tobytes()) for array in (*own, np.array(expression.pupil), *(p for _, p in parts))]
-    return [*numbers, [name for name, _ in parts], expression.radius, expression.transfer]
+    return [*numbers, expression.complexion, [name for name, _ in parts], expression.radius, expression.transfer]
 
 
 @given(expressions())

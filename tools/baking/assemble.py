@@ -14,15 +14,18 @@ from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.builtin.castfile import FORMAT, SKIN
 from omote.model.controls.mirror import mirror_rows
 from omote.model.extraction.extract import extract
+from omote.model.folding import LIDS, most_compression
 from omote.model.known_names import GENERIC, NEUTRAL
 from omote.model.sculpting.sculpt import Sculpt
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
+from omote.model.space.complexion import PALE, Complexion
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.mouth_at_rest import close_behind_lips, fit_mouth_at_rest
 from tools.baking.expressions import (
     ARKIT,
+    COMPLEXIONS,
     MAKEHUMAN,
     OMOTE,
     PERFORMED,
@@ -166,12 +169,21 @@ def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move
     for name, move in moves.items():
         skin = keep_bag_inside(space, carry_bag(space, move.skin, move.parts["teeth_lower"]))
         taken = extract(space, generic, skin, parts=move.parts)
-        expressions.append(replace(taken, pupil=PUPILS.get(name, 0.0), ears=ear_turns(name), head=head_turn(name)))
+        blood = Complexion(*COMPLEXIONS.get(name, PALE))
+        turned = replace(taken, ears=ear_turns(name), head=head_turn(name))
+        expressions.append(replace(turned, pupil=PUPILS.get(name, 0.0), complexion=blood))
         step(name)
     for name, pupil in {**OMOTE, **dict.fromkeys(SPRING_EARS, 0.0)}.items():
         expressions.append(replace(_at_rest(space), pupil=pupil, ears=ear_turns(name), head=head_turn(name)))
         step(name)
-    return _stack(expressions, space)
+    pressing = [own for name, own in zip(moves, expressions[1:], strict=False) if _presses(name)]
+    return {**_stack(expressions, space), "folding": most_compression(space, pressing)}
+
+
+def _presses(name: str) -> bool:
+    """Whether the folds of an expression count: lids that only blink or follow the gaze press skin that is not meant,
+    and springs shake it."""
+    return name not in LIDS and name not in SPRINGS
 
 
 def _at_rest(space: ParameterSpace) -> Expression:
@@ -190,6 +202,7 @@ def _stack(expressions: list[Expression], space: ParameterSpace) -> Arrays:
         "ears": [expression.ears for expression in expressions],
         "head": [expression.head for expression in expressions],
         "pupil": [np.array(expression.pupil) for expression in expressions],
+        "complexion": [np.array(expression.complexion) for expression in expressions],
     }
     for part in PARTS:
         still = np.zeros_like(space.parts[part].points)

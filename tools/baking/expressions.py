@@ -34,7 +34,7 @@ MAKEHUMAN: Sequence[str] = (
     "nose-right-elevation",
 )  # fmt: skip
 
-# Weights of ARKit units; `*` in a name stands for Left and Right alike.
+# Weights of units, MakeHuman's where ARKit's do not go far enough; `*` in a name stands for Left and Right alike.
 PERFORMED: Mapping[str, Mapping[str, float]] = {
     "smile": {"mouthSmile*": 0.62, "cheekSquint*": 0.35, "eyeSquint*": 0.15, "mouthDimple*": 0.15},
     "joy": {
@@ -46,8 +46,9 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "mouthUpperUp*": 0.4, "browInnerUp": 0.25, "noseSneer*": 0.15,
     },
     "sad": {
-        "browInnerUp": 1.15, "browDown*": 0.15, "mouthFrown*": 1.15, "mouthShrugLower": 0.3, "eyeBlink*": 0.2,
-        "eyeLookDown*": 0.35, "mouthStretch*": 0.15,
+        "browInnerUp": 1.2, "eyebrows-left-inner-up": 0.8, "eyebrows-right-inner-up": 0.8, "browDown*": 0.2,
+        "mouthFrown*": 1.2, "mouthShrugLower": 0.7, "eyeBlink*": 0.2, "eyeSquint*": 0.15, "eyeLookDown*": 0.3,
+        "mouthStretch*": 0.15,
     },
     "cry": {
         "browInnerUp": 1.0, "browDown*": 0.35, "eyeSquint*": 0.7, "eyeBlink*": 0.45, "cheekSquint*": 0.6,
@@ -108,6 +109,17 @@ PUPILS: Mapping[str, float] = {
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip
 
+# Blood of cheeks, nose, forehead, around the eyes and of the whole face, and tears (omote.model.space.complexion).
+# Signs from the literature: people flush in anger and pale in fear (Drummond 1997), cheeks fill with pleasure; the
+# sizes are ours.
+COMPLEXIONS: Mapping[str, tuple[float, float, float, float, float, float]] = {
+    "angry": (0.45, 0.2, 0.55, 0.1, 0.15, 0.0), "shout": (0.8, 0.3, 0.8, 0.2, 0.4, 0.0),
+    "cry": (0.5, 0.95, 0.15, 1.0, 0.12, 1.0), "sad": (0.0, 0.45, 0.0, 0.75, -0.12, 0.3),
+    "joy": (0.28, 0.1, 0.0, 0.0, 0.05, 0.0), "laugh": (0.55, 0.2, 0.25, 0.15, 0.15, 0.2),
+    "fear": (-0.35, -0.1, -0.2, 0.0, -0.45, 0.0), "surprise": (-0.05, 0.0, 0.0, 0.0, -0.1, 0.0),
+    "disgust": (-0.2, 0.2, -0.1, 0.1, -0.12, 0.0), "pain": (0.4, 0.25, 0.4, 0.4, 0.25, 0.4),
+}  # fmt: skip
+
 # They move the pupils, or ears (of a face that answers with its ears), and nothing else; by what they do to the pupils.
 OMOTE: Mapping[str, float] = {
     "pupils-wide": 1.0, "pupils-narrow": -1.0, "ears-up": 0.0, "ears-down": 0.0, "ears-back": 0.0, "ears-out": 0.0,
@@ -159,7 +171,7 @@ _REGIONS = {
 
 
 def unit_weights(recipe: Mapping[str, float]) -> dict[str, float]:
-    """A performed expression's weight of every ARKit unit it uses, `*` written out."""
+    """A performed expression's weight of every unit it uses, `*` written out."""
     return {name.replace("*", side): weight for name, weight in recipe.items() for side in _sides(name)}
 
 

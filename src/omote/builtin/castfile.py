@@ -12,6 +12,8 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
     ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
+    complexion (E, 6)   blood and tears: omote.model.space.complexion
+    folding (V,)        of 255, how far expressions press the skin together (omote.model.folding); 0 where none folds
     hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3), drawn/MESH/openness (k,)
 """
@@ -32,12 +34,13 @@ from omote.model.albedo import SkinAtlas
 from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC
+from omote.model.space.complexion import Complexion
 from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 4
+FORMAT = 5
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 
@@ -76,6 +79,7 @@ def cast_of(arrays: Arrays) -> Cast:
         looks={name: Look(**look) for name, look in about["faces"].items()},
         titles=titles,
         hair=_hair(arrays),
+        folding=arrays["folding"],
         atlas=SkinAtlas(*(arrays[f"drawn/{SKIN}/{what}"] for what in ("source", "uv", "triangles"))),
     )
 
@@ -130,4 +134,5 @@ def _expression(arrays: Arrays, name: str, row: int, space: ParameterSpace, *, s
         ears=arrays["ears"][row],
         head=arrays["head"][row],
         signed=signed,
+        complexion=Complexion(*np.round(arrays["complexion"][row].astype(np.float64), 6).tolist()),
     )

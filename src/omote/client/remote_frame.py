@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
+from omote.model.space.complexion import PALE, Complexion
 from omote.perform.frame import (
     CallStatus,
     ClipStatus,
@@ -54,6 +55,10 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         macros={name: MacroStatus(macro.value, macro.share) for name, macro in character.macros.items()},
         pads={name: PadStatus(tuple(point.place), point.plays) for name, point in character.pads.items()},
         springs={str(name): amount for name, amount in character.springs.items()},
+        complexion=Complexion(*character.complexion[:6]) if character.complexion else PALE,
+        drops=character.complexion[6] if character.complexion else 0.0,
+        folds=character.folds,
+        skin={str(name): amount for name, amount in character.skin.items()},
     )
 
 

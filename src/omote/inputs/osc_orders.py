@@ -13,6 +13,7 @@ from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
 from omote.perform.called_names import find_called
+from omote.perform.complexion import check_skin_fader
 from omote.perform.cues.cue import check_cue_number, write_cue_number
 from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
@@ -31,10 +32,11 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
     "gesture": check_gesture, "language": check_language, "spring": check_spring,
+    "skin": check_skin_fader,
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
-NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character", "spring")
+NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character", "spring", "skin")
 """What is called by a name."""
 BUTTON = (0.0, 1.0)
 """What a button sends, as decimals or true and false: where the number of a cue may be left out it is let go or

@@ -10,6 +10,7 @@ from omote.inputs.osc_addresses import ADDRESSES, Address, fill_places
 from omote.inputs.osc_feedback import REST, AddressValues
 from omote.inputs.osc_orders import Names
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
+from omote.perform.complexion import SKIN_FADERS
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
@@ -146,7 +147,7 @@ def _names(value: Value, names: Names, owner: str = "") -> list[str]:
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
-        "spring": SPRING_NAMES,
+        "spring": SPRING_NAMES, "skin": SKIN_FADERS,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:

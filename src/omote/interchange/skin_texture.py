@@ -19,7 +19,7 @@ from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[Any]
 
-LAYERS = ("mask", "marks", "patches", "relief", "finish", "pelt")
+LAYERS = ("mask", "marks", "patches", "relief", "finish", "pelt", "level_folds", "upright_folds")
 LINING = (0.62, 0.16, 0.14)  # linear light, of the inside of mouth and nostrils
 RIM = 0.22  # of the brows' colour, the dark skin along lids and lips under fur
 
@@ -44,7 +44,7 @@ def load_canvas(space: ParameterSpace, /) -> Canvas:
 
 
 def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
-    """Builds the canvas of a cast from layers (6k, k, 4), as the bake paints them, the skin's mesh and the generic face
+    """Builds the canvas of a cast from layers (8k, k, 4), as the bake paints them, the skin's mesh and the generic face
     (V, 3)."""
     size = layers.shape[1]
     parts = layers.reshape(len(LAYERS), size, size, 4).astype(np.float32) / np.float32(255.0)

@@ -9,6 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.model.albedo import Albedo, SkinAtlas
 from omote.model.hair import HairStyle
@@ -97,8 +98,9 @@ def _validate_trait(name: str, value: object) -> float:
 def _numbers(expression: Expression) -> list[np.ndarray]:
     """Every number of an expression."""
     turns = (expression.eyes, np.array(expression.pupil), expression.ears, expression.head)
+    blood = [np.array(expression.complexion)] if any(expression.complexion) else []  # older ones keep their digest
     fields = (expression.dtheta, expression.dh, expression.ratio, expression.residual)
-    return [*fields, *turns, *expression.parts.values()]
+    return [*fields, *turns, *blood, *expression.parts.values()]
 
 
 def _refuse_others_at_rest(cast: Cast) -> None:
@@ -109,7 +111,7 @@ def _refuse_others_at_rest(cast: Cast) -> None:
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
     rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
     rests += (neutral.ears, neutral.head)
-    if neutral.pupil or any(np.abs(values).max(initial=0.0) > _REST for values in rests):
+    if neutral.pupil or any(neutral.complexion) or any(np.abs(values).max(initial=0.0) > _REST for values in rests):
         raise ValueError(f"expression {NEUTRAL!r} moves something; expected the field at rest: give it another name")
 
 
@@ -144,6 +146,9 @@ class Cast:
         The styles that looks may name.
     atlas : SkinAtlas, optional
         How the skin lies on its texture; without it regional mixes keep the picture of the rest.
+    folding : array_like, (V,), optional
+        How far expressions press each vertex of the skin together at most, of 255 (`omote.model.folding`); without it
+        no skin folds.
 
     Raises
     ------
@@ -169,6 +174,7 @@ class Cast:
     titles: Mapping[str, Title] = field(default_factory=dict)
     hair: Mapping[str, HairStyle] = field(default_factory=dict)
     atlas: SkinAtlas | None = None
+    folding: NDArray[np.uint8] | None = None
 
     def __post_init__(self) -> None:
         for name, face in self.faces.items():
@@ -304,6 +310,7 @@ class Cast:
             arrays += [face.positions, *face.parts.values()]
         for expression in self.expressions.values():
             arrays += _numbers(expression)
+        arrays += [] if self.folding is None else [self.folding]
         arrays += [array for style in self.hair.values() for array in style.arrays]
         for array in arrays:
             state.update(np.ascontiguousarray(array).data)

@@ -18,7 +18,7 @@ UNIT_NOUNS = ("expression", "channel")
 """What may be named by an action unit of FACS too."""
 _FIXED = (
     "gesture", "kind of timing", "kind of what eyes look at", "language", "layer", "part", "region of a layer",
-    "part of a character to hold", "spring", "step", "tracker", "viseme", "way to send a face",
+    "part of a character to hold", "spring", "fader of the skin", "step", "tracker", "viseme", "way to send a face",
     "cue of this list", "part of this cue", "way to go on after a cue",
     "lane of this clip",
 )  # fmt: skip

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
 from omote.model.known_names import GENERIC, PlayRegion
+from omote.model.space.complexion import PALE, Complexion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_known, check_switch, check_within
 
@@ -319,7 +320,9 @@ class Frame:
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
     nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `macros`:
     all that the character has. `pads`: those whose points have been moved since the last panic. `springs`: how much of
-    each is set, of those that are not 1.
+    each is set, of those that are not 1. `complexion`: blood and tears as they show now; `drops`: the
+    metres that tears have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those that
+    are not 1.
     """
 
     faces: Mapping[str, float]
@@ -348,6 +351,10 @@ class Frame:
     macros: Mapping[str, MacroStatus] = field(default_factory=dict)
     pads: Mapping[str, PadStatus] = field(default_factory=dict)
     springs: Mapping[str, float] = field(default_factory=dict)
+    complexion: Complexion = PALE
+    drops: float = 0.0
+    folds: float = 1.0
+    skin: Mapping[str, float] = field(default_factory=dict)
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, advance_regions, call_regions
+from omote.perform.complexion import calm_skin
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
@@ -52,6 +53,7 @@ from omote.perform.motion.automatic_motion import (
 )
 from omote.perform.motion.sight import Sight, sight_alone
 from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, at_speed, ease_later, eased
+from omote.perform.skin_playing import SkinPlaying
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -61,14 +63,13 @@ from omote.perform.speech.speaking import (
     speech_status,
 )
 from omote.perform.speech.visemes import speech_frame
-from omote.perform.spring_playing import SpringPlaying
 from omote.perform.springs.springs import release_springs
 
 MOMENT = 1e-4
 """Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
-class Performer(SpringPlaying):
+class Performer(SkinPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -481,7 +482,7 @@ class Performer(SpringPlaying):
         self._speak(dt)
         self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
-        return self._with_springs(self._frame(), dt, self._held())
+        return self._with_skin(self._with_springs(self._frame(), dt, self._held()), dt)
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
         """Takes one frame of a source that is checked already, as `drive`.
@@ -681,6 +682,7 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
         gestures=release_gestures(now.gestures),
         pads={},
         springs=release_springs(now.springs),
+        skin=calm_skin(now.skin),
     )
 
 

@@ -12,6 +12,7 @@ from omote.model.space.expression import Expression, Title
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import highest_weight, with_channel
 from omote.perform.clips.clip_runs import ClipRun, check_runs
+from omote.perform.complexion import Skin, check_skin
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.gestures import Gesture, check_gestures
@@ -77,7 +78,8 @@ class Snapshot:
     is said; `said` counts all that was, `spoken` is the key of what was said to its end last. `gestures`: those that
     run. `clips`: those that play, the oldest first; `played` counts all. `pads`: where the points of pads are that have
     been moved. `mappings`: what macros play; `macros`: those that were moved.
-    `springs`: how much of them is set and how they move, None while none has moved.
+    `springs`: how much of them is set and how they move, None while none has moved. `skin`: blood and tears as
+    they show and the faders of the skin, None where there is nothing of that.
     """
 
     face: Axis
@@ -104,6 +106,7 @@ class Snapshot:
     macros: Macros = NO_MACROS
     pads: Mapping[str, PadPlace] = field(default_factory=dict)
     springs: Springs | None = None
+    skin: Skin | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -148,6 +151,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     for name, place in snapshot.pads.items():
         _check_point(name, place)
     check_springs(snapshot.springs)
+    check_skin(snapshot.skin)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:

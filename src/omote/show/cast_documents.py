@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
+from omote.model.space.complexion import PALE
 from omote.show.declaration import Name
 
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
@@ -95,7 +96,8 @@ class FaceDocument(msgspec.Struct, frozen=True):
 class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
     what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
-    yaw, pitch and roll, radians, of a face that answers with its head."""
+    yaw, pitch and roll, radians, of a face that answers with its head. `complexion`: what it does to the blood of
+    cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and to tears."""
 
     name: str
     label: str
@@ -107,6 +109,7 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     tags: list[str] = []
     place: float = 0.0
     head: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    complexion: tuple[float, float, float, float, float, float] = PALE
 
 
 class HairDocument(msgspec.Struct, frozen=True):
@@ -187,7 +190,8 @@ class LightDocument(msgspec.Struct, frozen=True):
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
 
-    `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things."""
+    `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
+    `folding` (skin,) u8: how far expressions press each vertex together at most, of 255; empty: nothing folds."""
 
     version: int
     base: str
@@ -203,6 +207,7 @@ class Manifest(msgspec.Struct, frozen=True):
     hair: list[HairDocument]
     correctives: CorrectivesDocument | None = None
     regions: RegionDocument | None = None
+    folding: bytes = b""
 
 
 class FaceAsset(msgspec.Struct, frozen=True):

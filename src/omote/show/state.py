@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from omote.perform.channels import channels_of, eye_turns
+from omote.perform.complexion import check_skin_fader
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, ClipStatus, Frame, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
@@ -157,6 +158,9 @@ def character_state(
         **_home(frame),
         clips=[_clip_state(clip, sounds) for clip in frame.clips],
         springs={check_spring(name): amount for name, amount in frame.springs.items()},
+        complexion=[*frame.complexion, frame.drops] if any(frame.complexion) else [],
+        folds=frame.folds,
+        skin={check_skin_fader(name): amount for name, amount in frame.skin.items()},
         **_layers(frame),
         motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,

@@ -20,6 +20,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.albedo import SIDES, Albedo
 from omote.model.cast import Look
+from omote.model.space.complexion import PALE, check_complexion
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain, check_gain_region
@@ -64,6 +65,7 @@ class _Expression(
     pupil: float
     ears: _Array | None = None
     head: _Array | None = None
+    complexion: tuple[float, float, float, float, float, float] | None = None
 
 
 class _Gain(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
@@ -103,6 +105,7 @@ def pack_expression(expression: Expression, /) -> bytes:
             pupil=expression.pupil,
             ears=_unless_still(expression.ears),
             head=_unless_still(expression.head),
+            complexion=expression.complexion if any(expression.complexion) else None,
         )
     )
 
@@ -133,6 +136,7 @@ def unpack_expression(data: bytes, /) -> Expression:
             pupil=packed.pupil,
             ears=_fill(ears),
             head=_fill(head),
+            complexion=check_complexion(packed.complexion or PALE),
         )
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no expression: {error}") from error

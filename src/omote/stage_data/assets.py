@@ -91,6 +91,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         hair=[HairDocument(name, url) for name, url in combed.items()],
         correctives=correctives_document(cast, starts),
         regions=region_document(cast.space),
+        folding=b"" if cast.folding is None else le_bytes(cast.folding, "u1"),
     )
     faces = {urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()}
     return Documents(manifest, faces, hair={combed[name]: asset for name, asset in hair.items()})
@@ -292,6 +293,7 @@ def expression_document(name: str, expression: Expression, title: Title, source:
         source=source,
         tags=unit_tags(name),
         head=_vector(expression.head),
+        complexion=expression.complexion,
     )
 
 

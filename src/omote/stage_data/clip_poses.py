@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from omote.perform.clips.clip import Clip
+from omote.perform.complexion import complexion_of
 from omote.perform.frame import Frame
 from omote.perform.limits import check_known
 from omote.perform.performer import Performer
@@ -29,6 +30,7 @@ class ClipPoses:
     def __init__(self, cast: Cast | PlayingCast, clips: Mapping[str, Clip]) -> None:
         self.clips = clips
         self._performer = Performer(cast)
+        self._expressions = cast.expressions
 
     def find(self, name: str) -> Clip:
         """The clip of a name; ValueError for none."""
@@ -50,7 +52,7 @@ class ClipPoses:
         shown = self._performer.advance(0.0)
         return Frame(  # of all else, as how often something was played, a picture shows nothing
             faces=shown.faces, expressions=shown.expressions, channels=shown.channels, head=shown.head, gaze=shown.gaze,
-            regions=shown.regions,
+            regions=shown.regions, complexion=complexion_of(self._expressions, shown),
         )  # fmt: skip
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
 from omote.model.known_names import NEUTRAL
+from omote.perform.complexion import complexion_of
 from omote.perform.frame import Frame
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.scene.scene import FIRST_LABEL
@@ -84,7 +86,7 @@ def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:
     rest = 1.0 - sum(expressions.values())
     if abs(rest) > EVEN:
         expressions[NEUTRAL] = expressions.get(NEUTRAL, 0.0) + rest
-    return Frame(
+    frame = Frame(
         faces=merge_names(words.faces, cast.faces, "face", labels["face"]),
         expressions=expressions,
         channels=merge_names(words.channels, cast.expressions, "channel", labels["expression"]),
@@ -92,6 +94,7 @@ def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:
         gaze=words.gaze,
         light=words.light,
     )
+    return replace(frame, complexion=complexion_of(cast.expressions, frame))
 
 
 def pose_of(cast: Cast | PlayingCast, frame: Frame) -> Pose:

@@ -53,6 +53,7 @@ def test_every_kind_of_edit_is_a_step(harness: EditHarness) -> None:
         (wire.SetLayers, [Layer("smile", "Smile", 0.5, "mouth", True)]),
         (wire.SetPulls, PULLED),
         (wire.SetEyes, (0.1, 0.0, 0.1, 0.0), -0.5),
+        (wire.SetComplexion, (0.5, 0.0, 0.0, 0.25, -0.1, 1.0)),
         (wire.SetNet, list(net)),
         (wire.Flatten,),
     ]
@@ -84,6 +85,7 @@ def test_layers_alone_are_previewed_without_all_else_of_the_draft(harness: EditH
     harness.ask("ann", wire.SetVectors, 1, vectors(), "nudge")
     harness.ask("ann", wire.SetPulls, 1, PULLED)
     harness.ask("ann", wire.SetEyes, 1, (0.1, 0.0, 0.1, 0.0), -0.5)
+    harness.ask("ann", wire.SetComplexion, 1, (0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
     assert harness.ask("ann", wire.PreviewLayers, 1, layers, True).content == bare
     assert harness.ask("ann", wire.PreviewLayers, 1, layers, False).content != bare
 
@@ -238,6 +240,7 @@ def bad_requests(net: tuple[int, ...]) -> list[tuple[str, type[Message], tuple[A
         ("not there any more", wire.SetLayers, ([Layer("#nothing", "?")],)),
         ("no muscle", wire.SetPulls, ([Pull("biter", 1.0)],)),
         ("eyeball", wire.SetEyes, ((math.nan, 0.0, 0.0, 0.0), 0.0)),
+        ("complexion", wire.SetComplexion, ((0.0, 0.0, 2.5, 0.0, 0.0, 0.0),)),
         ("for a face", wire.SetFace, (FaceRecipe({"generic": 1.0}), "")),
         ("nothing was undone", wire.Redo, ()),
         ("no revision 7", wire.BringBack, (7,)),
@@ -271,4 +274,4 @@ def test_a_solve_that_ends_out_of_range_is_refused(harness: EditHarness) -> None
 def test_all_steps_in_the_file_can_be_read(harness: EditHarness) -> None:
     harness.ask("ann", wire.SetPulls, 1, PULLED)
     assert all(isinstance(read_recipe(edit.recipe), Recipe) for edit in harness.tables.edits.values())
-    assert len(EDITS) == 8
+    assert len(EDITS) == 9

@@ -23,6 +23,7 @@ from omote.interchange.formats.expression_json import (
     to_dense,
 )
 from omote.model.cast import Cast
+from omote.model.space.complexion import Complexion
 from omote.model.space.expression import Expression
 from tests import synthetic
 
@@ -43,7 +44,7 @@ def moved(expression: Expression, part: str) -> bool:
 
 def same(one: Expression, other: Expression) -> bool:
     """Whether two expressions are the same in every number."""
-    fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")
+    fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head", "complexion")
     parts = {*one.parts, *other.parts}
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in fields) and all(
         not (moved(one, name) or moved(other, name)) or np.array_equal(one.parts[name], other.parts[name])
@@ -51,13 +52,16 @@ def same(one: Expression, other: Expression) -> bool:
     )
 
 
-def test_turns_of_ears_and_head_come_back_and_are_left_out_where_there_are_none(cast: Cast) -> None:
+def test_turns_of_ears_and_head_and_blood_come_back_and_are_left_out_where_there_are_none(cast: Cast) -> None:
     still = cast.expressions["smile"]
     turning = replace(still, ears=np.arange(6.0).reshape(2, 3) / 10, head=np.array([0.1, -0.2, 0.3]))
+    turning = replace(turning, complexion=Complexion(0.5, 0.0, -0.25, 1.0, 0.1, 1.0))
     read = decode(encode(document(dense=to_dense(turning)))).dense
     assert read is not None
     assert same(from_dense(cast.space, read), turning)
-    assert b'"ears"' not in encode(document(dense=to_dense(still)))
+    plain = encode(document(dense=to_dense(still)))
+    assert b'"ears"' not in plain
+    assert b'"complexion"' not in plain
 
 
 @pytest.mark.parametrize("name", synthetic.EXPRESSIONS)
@@ -83,7 +87,7 @@ def test_documents_are_as_the_schema_says(cast: Cast) -> None:
     plain = json.loads(encode(document(control=Control([(0.0, 0.1)], [(0.0, 0.0, 1.0)]))))
     assert set(rules["$defs"]["ExpressionFile"]["required"]) <= plain.keys()
     assert plain.keys() <= rules["$defs"]["ExpressionFile"]["properties"].keys()
-    assert plain["dense"].keys() == rules["$defs"]["Dense"]["properties"].keys() - {"ears", "head"}
+    assert plain["dense"].keys() == rules["$defs"]["Dense"]["properties"].keys() - {"ears", "head", "complexion"}
     assert rules["$defs"]["ExpressionFile"]["additionalProperties"] is False
 
 

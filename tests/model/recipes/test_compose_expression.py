@@ -52,7 +52,7 @@ def numbers(expression: Expression) -> NDArray[np.float64]:
     """All of an expression as one row."""
     parts = [expression.parts.get(name, np.zeros_like(part.points)) for name, part in space().parts.items()]
     fields = (expression.dtheta, expression.dh, expression.ratio - 1.0, expression.residual, expression.eyes, *parts)
-    return np.concatenate([*(field.ravel() for field in fields), [expression.pupil]])
+    return np.concatenate([*(field.ravel() for field in fields), [expression.pupil, *expression.complexion]])
 
 
 def test_nothing_is_the_expression_at_rest() -> None:
@@ -115,6 +115,17 @@ def test_a_muscle_pulls_linearly_and_eyes_turn() -> None:
     turned = msgspec.structs.replace(recipe(), eyes=(0.1, 0.2, -0.1, 0.3), pupil=0.5)
     assert baked(turned).eyes.ravel().tolist() == [0.1, 0.2, -0.1, 0.3]
     assert baked(turned).pupil == 0.5
+
+
+def test_blood_and_tears_add_as_layers_do_and_a_region_brings_its_own() -> None:
+    own = (0.25, 0.0, 0.0, 0.0, 0.0, 0.5)
+    whole = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 0.5),), complexion=own)
+    cry = np.array(CAST.expressions["cry"].complexion)
+    assert baked(whole).complexion == pytest.approx(0.5 * cry + own)
+    eyes = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 1.0, "eyes"),))
+    assert baked(eyes).complexion == pytest.approx(cry * [0, 0, 0, 1, 0, 1])
+    muted = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 1.0, muted=True),))
+    assert not any(baked(muted).complexion)
 
 
 @given(st.integers(0, 1000), st.integers(1, 6), st.booleans())

@@ -30,6 +30,7 @@ GOALS: dict[Part, Goal] = {
     "one/place": {"x": 0.5, "depth": 1.0, "size": 2.0, "turn": -1.0},
     "one/presence": {"presence": 0.25},
     "one/motion": {"liveliness": 0.0, "blinks": 0.5, "gaze": 2.0, "breath": 0.0},
+    "one/skin": {"folds": 0.5, "blood": 1.5},
     "one/springs": {"ears-sway": 0.5, "ears-flap": 0.0, "jowls-sway": 2.0, "cheeks-bounce": 1.25},
     "one/look": {"yaw": 0.25, "pitch": -0.125},
     "one/macros": {"mouth": -0.5},

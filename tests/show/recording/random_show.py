@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 
 from omote.perform.clips.clip import Clip
+from omote.perform.complexion import SKIN_FADERS
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
 from omote.perform.mappings.mapping import HalfBelow, MacroCondition, MacroMapping, MacroTarget
@@ -66,7 +67,7 @@ from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
 from omote.show.objects.memories import CallMemory, DeleteMemory, KeepMemory, RestoreMemory
-from omote.show.objects.motion import LookAt, MakeGesture, SetMotion, SetSpring
+from omote.show.objects.motion import LookAt, MakeGesture, SetMotion, SetSkin, SetSpring
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
@@ -183,6 +184,7 @@ class RandomShow:
             lambda: SetLayer(who(), "tracker", on=pick((True, False))),
             lambda: SetMotion(who(), number(0, 1), seed=int(self.rng.integers(1000))),
             lambda: SetSpring(who(), pick(SPRING_NAMES), number(0, 2)),
+            lambda: SetSkin(who(), pick(SKIN_FADERS), number(0, 1.5)),
             lambda: LookAt(who(), "direction", yaw=number(-0.4, 0.4)),
             lambda: LookAt(who(), "character", name=pick(names)),
             lambda: LookAt(who(), "gaze_point", name="door"),

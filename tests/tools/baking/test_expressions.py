@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
+from omote.model.space.complexion import Complexion
 from omote.perform.springs.cast_springs import SPRINGS as PLAYED_SPRINGS
 from tools.baking.expressions import (
     ARKIT,
+    COMPLEXIONS,
     EARS,
     HEADS,
     MAKEHUMAN,
@@ -43,6 +45,14 @@ def test_fear_and_surprise_widen_the_pupils_anger_and_disgust_narrow_them() -> N
     assert all(-1.0 <= pupil <= 1.0 for pupil in (*PUPILS.values(), *OMOTE.values()))
 
 
+def test_blood_has_the_signs_of_the_literature() -> None:
+    assert COMPLEXIONS.keys() <= PERFORMED.keys()
+    shown = {name: Complexion(*values) for name, values in COMPLEXIONS.items()}
+    assert min(shown["angry"].forehead, shown["joy"].cheeks, shown["laugh"].cheeks) > 0.0 > shown["fear"].whole
+    assert [name for name, own in shown.items() if own.tears == 1.0] == ["cry"]
+    assert all(abs(value) <= 1.0 for own in shown.values() for value in own)
+
+
 def test_ears_and_heads_turn_by_degrees_that_ears_and_heads_can() -> None:
     assert EARS.keys() <= {*ARKIT, *PERFORMED, *OMOTE, *SPRING_EARS}
     assert HEADS.keys() <= PERFORMED.keys()
@@ -60,9 +70,9 @@ def test_ears_rise_with_surprise_lie_back_with_fear_and_rage_and_hang_with_sorro
 
 
 @pytest.mark.parametrize("name", PERFORMED)
-def test_recipes_use_arkit_units_within_reach(name: str) -> None:
+def test_recipes_use_units_within_reach(name: str) -> None:
     weights = unit_weights(PERFORMED[name])
-    assert weights.keys() <= set(ARKIT)
+    assert weights.keys() <= {*ARKIT, *MAKEHUMAN}
     assert all(0.0 < weight <= 1.25 for weight in weights.values())
 
 

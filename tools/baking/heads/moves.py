@@ -39,7 +39,7 @@ def all_moves(package: Package, base: BaseMesh, head: Head) -> dict[str, Move]:
     makehuman = {name: _move(head, rest, makehuman_target(package, name, len(rest))) for name in MAKEHUMAN}
     for name in TONGUE_LEFT_BEHIND:
         makehuman[name] = _with_tongue(makehuman[name], arkit["jawOpen"])
-    performed = {name: compose(arkit, unit_weights(recipe)) for name, recipe in PERFORMED.items()}
+    performed = {name: compose(arkit | makehuman, unit_weights(recipe)) for name, recipe in PERFORMED.items()}
     return {**performed, **arkit, **makehuman}
 
 

@@ -4,7 +4,8 @@ Painted by this code from the generic head alone, so that every face can wear th
 The layers lie one below the other in one picture, in the order of LAYERS:
 mask = lips (0 outside, 0.5 at their border, 1 at the mouth's line), brows (hair by hair: the thicker the brow a hair
 belongs to, the fainter it is), blush, light that is left (1 = untouched): cavities and lash lines;
-marks, patches, relief, finish, pelt: see marks.py, coat.py, relief.py, finish.py, pelt.py.
+marks, patches, relief, finish, pelt, level_folds, upright_folds: see marks.py, coat.py, relief.py, finish.py, pelt.py,
+folds.py.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from tools.baking.package import BakeError
 from tools.baking.skin.brows import brow_cover
 from tools.baking.skin.coat import paint_patches
 from tools.baking.skin.finish import paint_finish
+from tools.baking.skin.folds import paint_level_folds, paint_upright_folds
 from tools.baking.skin.marks import paint_marks
 from tools.baking.skin.pelt import paint_pelt
 from tools.baking.skin.relief import paint_relief
@@ -37,7 +39,7 @@ BLUSH = (
 
 
 def paint_layers(skin: Piece, points: Floats, layout: Floats) -> NDArray[np.uint8]:
-    """The layers (SIZE * 6, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2).
+    """The layers (SIZE * 8, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2).
 
     skin: its triangles and texture corners.
     """
@@ -72,6 +74,8 @@ LAYERS: Mapping[str, Callable[[Texels], Floats]] = {
     "relief": paint_relief,
     "finish": paint_finish,
     "pelt": paint_pelt,
+    "level_folds": paint_level_folds,
+    "upright_folds": paint_upright_folds,
 }
 """The layers in the order in which they lie in the picture, and who paints them."""
 

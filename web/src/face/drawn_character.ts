@@ -18,12 +18,14 @@ import { writeLight } from "./light/light_uniforms";
 import { type Light, lightTurned } from "./light/lights";
 import { Shadow } from "./light/shadow";
 import { dropOf, placed, placeMatrix } from "./placement";
+import { complexionOf } from "./pose/complexion";
 import { headOf } from "./pose/head_answer";
 import { type Pose, writeTurn } from "./pose/pose";
 import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
 import type { Clearance, PlacedHead } from "./scene_framing";
+import { writeBlood } from "./skin/blood";
 import { SkinPaint } from "./skin/skin_paint";
 import { SkinPictures } from "./skin/skin_pictures";
 
@@ -108,7 +110,7 @@ export class DrawnCharacter {
   /** Makes its part of the GPU's memory, on a new graphics context too; `common`: the textures that hold for everybody. */
   build(blender: Blender, common: HeadUniforms): void {
     this.target = blender.createTarget();
-    this.uniforms = characterUniforms(this.target.positions, this.target.normals, common);
+    this.uniforms = characterUniforms(this.target, common);
     this.shadow = new Shadow(this.uniforms.shared);
     this.paint = new SkinPaint(this.uniforms.shared);
     this.blended = "";
@@ -138,6 +140,7 @@ export class DrawnCharacter {
     head.matrixWorldNeedsUpdate = true;
     this.forget(this.head);
     this.head = head;
+    this.blended = ""; // strains are found at some levels only
   }
 
   /** Forgets a head that is not drawn, or no more. */
@@ -216,6 +219,11 @@ export class DrawnCharacter {
     const local = lightTurned(light, this.called.place.turn);
     parts.looks.dress(pose, uniforms.shared, uniforms.eyes);
     writeEyeTraits(eyeTraitsOf(pose, parts.library), uniforms.shared);
+    const { lacquer, fur } = uniforms.shared;
+    const shown = complexionOf(pose, parts.library.expressions);
+    writeBlood(shown, { lacquer: lacquer.value, fur: fur.value }, uniforms.shared);
+    uniforms.shared.pressed.value = this.target.pressed ? 1 : 0;
+    uniforms.shared.folds.value = this.target.pressed ? (pose.folds ?? 1) : 0;
     writeLight(local, uniforms.shared);
     this.turnEyes();
     if (!pixelLight) this.paint.draw(renderer);
@@ -248,6 +256,11 @@ export class DrawnCharacter {
   /** Its blended positions, read back from the GPU. */
   readPositions(blender: Blender): Float32Array {
     return blender.readPositions(this.target);
+  }
+
+  /** How far its skin is pressed, read back from the GPU. */
+  readStrains(blender: Blender): Float32Array {
+    return blender.readStrains(this.target);
   }
 
   /** Where vertices of its skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */

@@ -204,6 +204,11 @@ export class FaceView {
     return this.characters.get(name)?.readPositions(this.blender) ?? new Float32Array();
   }
 
+  /** How far a character's skin is pressed, (vertices, 3): level, mixed, upright, read back from the GPU (slow: for tests). */
+  readStrains(name = [...this.characters.keys()][0] ?? ""): Float32Array {
+    return this.characters.get(name)?.readStrains(this.blender) ?? new Float32Array();
+  }
+
   /** Where points of the first character's skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
   placesOf(rows: readonly number[]): number[][] {
     const [character] = this.characters.values();
@@ -225,9 +230,17 @@ export class FaceView {
   }
 
   private build(): void {
-    const { fans, correctives, regions } = this.parts.anatomy;
+    const { fans, correctives, regions, foldingFans } = this.parts.anatomy;
     const { vertices } = this.library.manifest;
-    this.blender = new Blender(this.context, vertices, fans, correctives, regions?.rows, drawsInSoftware());
+    this.blender = new Blender(
+      this.context,
+      vertices,
+      fans,
+      correctives,
+      regions?.rows,
+      foldingFans,
+      drawsInSoftware(),
+    );
     this.common = headUniforms(null, null);
     applyLayers(this.common, this.layers, featuresHere(this.wanted));
     this.parts.pictures.rebuild(featuresHere(this.wanted));

@@ -49,7 +49,7 @@ export type Pull = { muscle: string; contraction: number };
  * An expression as an artist made it; `compose_expression` adds up its fields.
  * net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
  * surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
- * yaw, pitch, radians, and pupil: what is added to those of ground and layers.
+ * yaw, pitch, radians, pupil and complexion (`space.complexion`): what is added to those of ground and layers.
  */
 export type Recipe = {
   kind: "expression";
@@ -60,6 +60,7 @@ export type Recipe = {
   pulls: Pull[];
   eyes: [number, number, number, number];
   pupil: number;
+  complexion: [number, number, number, number, number, number];
 };
 
 /**
@@ -164,6 +165,17 @@ export type SetEyes = {
   item: number;
   eyes: [number, number, number, number];
   pupil: number;
+};
+
+/**
+ * Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears, 1 as they
+ * run.
+ */
+export type SetComplexion = {
+  type: "set_complexion";
+  request: number;
+  item: number;
+  complexion: [number, number, number, number, number, number];
 };
 
 /**
@@ -425,6 +437,7 @@ export type FromEditor =
   | PreviewLayers
   | SetPulls
   | SetEyes
+  | SetComplexion
   | Flatten
   | SetFace
   | Undo

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 9;
+export const PROTOCOL_VERSION = 10;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1186,6 +1186,12 @@ export type SetSpring = {
   id?: string;
 };
 
+/**
+ * How much of the folds that skin under pressure makes (`folds`), or of the flush and the pallor of expressions
+ * (`blood`), a character shows: 0..1.5, 1 at first.
+ */
+export type SetSkin = { type: "set_skin"; character: string; name: "folds" | "blood"; amount: number; id?: string };
+
 /** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
 export type CallLight = { type: "call_light"; id: string; name: string; seconds?: number; easing?: string };
 
@@ -1732,7 +1738,9 @@ export type PadPointState = { place: number[]; plays: boolean };
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
  * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
- * last panic. `springs`: how much of each is set, of those that are not 1.
+ * last panic. `springs`: how much of each is set, of those that are not 1. `complexion`: the blood that shows in
+ * cheeks, nose, forehead, around the eyes and in the whole face, tears, and the metres that they have run; empty where
+ * the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are not 1.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1765,6 +1773,9 @@ export type CharacterState = {
   macros: Record<string, MacroState>;
   pads: Record<string, PadPointState>;
   springs: Partial<Record<"ears-sway" | "ears-flap" | "jowls-sway" | "cheeks-bounce", number>>;
+  complexion: number[];
+  folds: number;
+  skin: Partial<Record<"folds" | "blood", number>>;
 };
 
 /**
@@ -1874,7 +1885,8 @@ export type FaceDocument = {
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
  * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
- * yaw, pitch and roll, radians, of a face that answers with its head.
+ * yaw, pitch and roll, radians, of a face that answers with its head. `complexion`: what it does to the blood of
+ * cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and to tears.
  */
 export type ExpressionDocument = {
   name: string;
@@ -1887,6 +1899,7 @@ export type ExpressionDocument = {
   tags: string[];
   place: number;
   head: [number, number, number];
+  complexion: [number, number, number, number, number, number];
 };
 
 /** A hair style: where its strands are. */
@@ -1955,6 +1968,7 @@ export type LightDocument = { name: string; label: string };
 /**
  * All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
  * `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
+ * `folding` (skin,) u8: how far expressions press each vertex together at most, of 255; empty: nothing folds.
  */
 export type Manifest = {
   version: number;
@@ -1971,6 +1985,7 @@ export type Manifest = {
   hair: HairDocument[];
   correctives: CorrectivesDocument | null;
   regions: RegionDocument | null;
+  folding: Uint8Array;
 };
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
@@ -2155,6 +2170,7 @@ export type FromClient =
   | LookAt
   | MakeGesture
   | SetSpring
+  | SetSkin
   | CallLight
   | CallFraming
   | CallBlack

@@ -44,6 +44,8 @@ export interface StageProbe {
   change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres) of a character, by default the first, read back from the GPU. */
   readPositions(character?: string): number[];
+  /** How far the skin of a character is pressed (vertices x 3: level, mixed, upright), read back from the GPU. */
+  readStrains(character?: string): number[];
   /** Where vertices of the first character's skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
   places(rows: readonly number[]): number[][];
   counters(): Counters;
@@ -94,6 +96,7 @@ export function exposeProbe(stage: Stage): void {
     ...sheetProbe(),
     change: (level) => stage.view.change(level),
     readPositions: (character) => Array.from(stage.view.readPositions(character)),
+    readStrains: (character) => Array.from(stage.view.readStrains(character)),
     places: (rows) => stage.view.placesOf(rows),
     counters: () => stage.counters(),
     pose: () => stage.pose,

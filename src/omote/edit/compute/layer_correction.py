@@ -19,6 +19,7 @@ from omote.model.controls.net_field import NetField
 from omote.model.extraction.sheet_field import measure_field
 from omote.model.recipes.compose_expression import add_field, compose_expression
 from omote.model.recipes.recipe import Layer, Recipe
+from omote.model.space.complexion import PALE
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import fit, generic_face
 from omote.model.space.parameter_space import ParameterSpace
@@ -102,7 +103,7 @@ def correct_field(
 def _still(recipe: Recipe) -> Recipe:
     """The recipe with its control points and eyes at rest."""
     still = ((0.0, 0.0, 1.0),) * len(recipe.net)
-    return msgspec.structs.replace(recipe, vectors=still, eyes=(0.0, 0.0, 0.0, 0.0), pupil=0.0)
+    return msgspec.structs.replace(recipe, vectors=still, eyes=(0.0, 0.0, 0.0, 0.0), pupil=0.0, complexion=PALE)
 
 
 def _members(recipe: Recipe) -> Iterator[tuple[Recipe, float]]:

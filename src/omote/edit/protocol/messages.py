@@ -154,6 +154,13 @@ class SetEyes(RecipeChange, frozen=True):
     pupil: float
 
 
+class SetComplexion(RecipeChange, frozen=True):
+    """Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears, 1 as they
+    run."""
+
+    complexion: tuple[float, float, float, float, float, float]
+
+
 class Flatten(RecipeChange, frozen=True):
     """Bakes layers, muscles and control points into one field, on which the points stand at rest again; muted layers
     stay as they are."""

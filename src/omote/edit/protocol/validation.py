@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Recipe, Vector
 from omote.model.sculpting.caricature import MOST_AMOUNT
+from omote.model.space.complexion import MOST
 from omote.model.space.gain import Gain, check_gain_region, validate_gains
 from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Quantity, Refusal, validate_number
@@ -23,6 +24,7 @@ WEIGHT = Quantity("a weight", -2.0, 2.0)
 CONTRACTION = Quantity("a muscle's contraction", -1.0, 2.0)
 EYE = Quantity("an angle of an eyeball (radians)", -math.pi / 2, math.pi / 2)
 PUPIL = Quantity("a pupil", -2.0, 2.0)
+BLOOD = Quantity("a number of the complexion", -MOST, MOST)
 AMOUNT = Quantity("the amount of caricature", 0.0, MOST_AMOUNT)
 MOVE = Quantity("a handle's move (metres)", -0.5, 0.5)
 PLACE = Quantity("a place in the list", -1e9, 1e9)
@@ -110,9 +112,16 @@ def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
             raise Refusal(f"there is no muscle {pull.muscle[:80]!r}: choose from {', '.join(sorted(bounds.muscles))}.")
         if pulled.count(pull.muscle) > 1:
             raise Refusal(f"muscle {pull.muscle!r} is there twice: give each once.")
+    _check_added(recipe)
+
+
+def _check_added(recipe: Recipe) -> None:
+    """What a recipe adds to eyes, blood and tears."""
     for angle in recipe.eyes:
         validate_number(angle, EYE)
     validate_number(recipe.pupil, PUPIL)
+    for value in recipe.complexion:
+        validate_number(value, BLOOD)
 
 
 def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:

@@ -221,6 +221,10 @@ def _set_eyes(authored: Authored, recipe: Recipe, wanted: wire.SetEyes) -> Order
     return _bake_changed(authored, replace(recipe, eyes=wanted.eyes, pupil=wanted.pupil), "eyes")
 
 
+def _set_complexion(authored: Authored, recipe: Recipe, wanted: wire.SetComplexion) -> Ordered:
+    return _bake_changed(authored, replace(recipe, complexion=wanted.complexion), "blood and tears")
+
+
 def _flatten(authored: Authored, recipe: Recipe, _: wire.Flatten) -> Ordered:
     return Flat(recipe, authored.sources.contents(recipe)), "all baked into one field"
 
@@ -240,6 +244,7 @@ EDITS: Mapping[type[Message], Callable[[Authored, Any, Any], Ordered]] = {
     wire.SetLayers: _set_layers,
     wire.SetPulls: _set_pulls,
     wire.SetEyes: _set_eyes,
+    wire.SetComplexion: _set_complexion,
     wire.Flatten: _flatten,
     wire.SetFace: _set_face,
 }

@@ -222,4 +222,4 @@ def _same(one: Expression, other: Expression) -> bool:
     fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")
     off = [np.abs(getattr(one, name) - getattr(other, name)).max(initial=0.0) for name in fields]
     still = not any(rest.any() for expression in (one, other) for rest in expression.parts.values())
-    return max(off) <= EXACT and still and one.pupil == other.pupil
+    return max(off) <= EXACT and still and (one.pupil, one.complexion) == (other.pupil, other.complexion)

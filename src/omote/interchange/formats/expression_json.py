@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.file_content import explain_syntax
+from omote.model.space.complexion import MOST, PALE, check_complexion
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 
@@ -33,6 +34,7 @@ Rows = Annotated[list[Row], msgspec.Meta(max_length=MOST_ROWS)]
 Turn = Annotated[float, msgspec.Meta(ge=-FARTHEST_TURN, le=FARTHEST_TURN)]
 Move = Annotated[float, msgspec.Meta(ge=-FARTHEST_MOVE, le=FARTHEST_MOVE)]
 Ratio = Annotated[float, msgspec.Meta(ge=NARROWEST, le=WIDEST)]
+Blood = Annotated[float, msgspec.Meta(ge=-MOST, le=MOST)]
 Turns = Annotated[list[Turn], msgspec.Meta(max_length=MOST_ROWS)]
 Moves = Annotated[list[Move], msgspec.Meta(max_length=MOST_ROWS)]
 Ratios = Annotated[list[Ratio], msgspec.Meta(max_length=MOST_ROWS)]
@@ -66,7 +68,8 @@ class Rest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """An expression, number for number; inner: rows of the inner skin; eyes: yaw and pitch, left and right; ears: how
-    far the left and the right one go back, up and out; head: yaw, pitch, roll; radians."""
+    far the left and the right one go back, up and out; head: yaw, pitch, roll; radians. complexion: blood of cheeks,
+    nose, forehead, eyes and the whole face, and tears."""
 
     sheet: Sheet
     inner: Rest
@@ -77,6 +80,7 @@ class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     transfer: Literal["smooth", "paper"]
     ears: tuple[Turn, Turn, Turn, Turn, Turn, Turn] | None = None
     head: tuple[Turn, Turn, Turn] | None = None
+    complexion: tuple[Blood, Blood, Blood, Blood, Blood, Blood] | None = None
 
 
 class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -116,6 +120,7 @@ def to_dense(expression: Expression, /) -> Dense:
         transfer=msgspec.convert(expression.transfer, Literal["smooth", "paper"]),
         ears=msgspec.convert(_turns(expression.ears), tuple[float, float, float, float, float, float] | None),
         head=msgspec.convert(_turns(expression.head), tuple[float, float, float] | None),
+        complexion=expression.complexion if any(expression.complexion) else None,
     )
 
 
@@ -151,6 +156,7 @@ def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
         pupil=dense.pupil,
         ears=np.reshape(dense.ears or np.zeros(6), (2, 3)),
         head=np.array(dense.head or np.zeros(3)),
+        complexion=check_complexion(dense.complexion or PALE),
     )
 
 

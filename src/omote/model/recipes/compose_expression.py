@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+import msgspec
 import numpy as np
 
 from omote.arrays import Values
@@ -13,6 +14,7 @@ from omote.model.controls.face_muscles import muscle_fields
 from omote.model.controls.mirror import mirror_expression
 from omote.model.controls.net_field import NetField, build_net_field
 from omote.model.recipes.recipe import KEY, Layer, Recipe
+from omote.model.space.complexion import MOST, OF_REGION, PARTS, Complexion, check_complexion
 from omote.model.space.expression import Expression
 from omote.model.space.head_regions import RegionMask, check_region, region_mask
 from omote.model.space.parameter_space import ParameterSpace
@@ -26,7 +28,7 @@ HEAVIEST = 4.0
 @dataclass
 class _Sum:
     """What is added up: field (V, 3) of dtheta, dh and R - 1, residual (inner, 3), parts, eyes (2, 2), pupil,
-    ears (2, 3), head (3,)."""
+    ears (2, 3), head (3,), complexion (6,)."""
 
     field: Values
     residual: Values
@@ -34,6 +36,7 @@ class _Sum:
     eyes: Values
     ears: Values
     head: Values
+    complexion: Values
     pupil: float = 0.0
 
 
@@ -41,7 +44,7 @@ def compose_expression(
     space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
 ) -> Expression:
     """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes,
-    pupils, ears and head; muted layers add nothing.
+    pupils, ears, head and complexion; muted layers add nothing.
 
     space: the space of the generic head.
 
@@ -64,6 +67,7 @@ def compose_expression(
     eyes = mesh.validate_numbers(recipe.eyes, name="eyes of a recipe")
     total.eyes += eyes.reshape(2, 2)
     total.pupil += recipe.pupil
+    total.complexion += check_complexion(recipe.complexion)
     return _expression(space, total)
 
 
@@ -93,7 +97,15 @@ def add_field(space: ParameterSpace, ground: Expression | None, field: Values, /
 
 def _zero_sum(space: ParameterSpace) -> _Sum:
     still = np.zeros((len(space.inner.vertices), 3))
-    return _Sum(np.zeros((space.vertex_count, 3)), still, {}, np.zeros((2, 2)), np.zeros((2, 3)), np.zeros(3))
+    return _Sum(
+        np.zeros((space.vertex_count, 3)),
+        still,
+        {},
+        np.zeros((2, 2)),
+        np.zeros((2, 3)),
+        np.zeros(3),
+        np.zeros(len(PARTS)),
+    )
 
 
 def _find_source(space: ParameterSpace, sources: Mapping[str, Expression], name: str) -> Expression:
@@ -122,6 +134,12 @@ def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Laye
     total.pupil += weight * float(mask.eyes.mean()) * expression.pupil
     total.ears += weight * (layer.region in (None, "ears")) * expression.ears
     total.head += weight * (layer.region is None) * expression.head
+    total.complexion += weight * _blood_in(layer.region) * expression.complexion
+
+
+def _blood_in(region: str | None) -> Values:
+    """How much of each part of a complexion a layer brings (6,): all of it, or that of its region."""
+    return np.array([float(region is None or part in OF_REGION.get(region, ())) for part in PARTS])
 
 
 @weakly_cached
@@ -142,7 +160,7 @@ def _expression(space: ParameterSpace, total: _Sum) -> Expression:
         )
     return Expression(
         dtheta, dh, 1.0 + over, total.residual, total.parts, total.eyes, space.radius, space.transfer, total.pupil,
-        ears=total.ears, head=total.head,
+        ears=total.ears, head=total.head, complexion=Complexion(*np.clip(total.complexion, -MOST, MOST).tolist()),
     )  # fmt: skip
 
 
@@ -168,4 +186,4 @@ def change_net(
 
 
 def _replace_net(recipe: Recipe, net: tuple[int, ...], vectors: tuple[tuple[float, float, float], ...]) -> Recipe:
-    return Recipe(net, vectors, recipe.ground, recipe.layers, recipe.pulls, recipe.eyes, recipe.pupil)
+    return msgspec.structs.replace(recipe, net=net, vectors=vectors)

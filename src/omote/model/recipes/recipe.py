@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
+from omote.model.space.complexion import PALE
+
 Vector = tuple[float, float, float]
 
 KEY = "#"
@@ -38,7 +40,7 @@ class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
 
     net: rows of the generic face's sheet under the control points; vectors: dtheta (radians), dh (metres), R (1 on the
     surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
-    yaw, pitch, radians, and pupil: what is added to those of ground and layers.
+    yaw, pitch, radians, pupil and complexion (`space.complexion`): what is added to those of ground and layers.
     """
 
     net: tuple[int, ...]
@@ -48,6 +50,7 @@ class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
     pulls: tuple[Pull, ...] = ()
     eyes: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     pupil: float = 0.0
+    complexion: tuple[float, float, float, float, float, float] = PALE
 
 
 class GainRow(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

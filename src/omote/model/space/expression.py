@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from omote.arrays import Values
 from omote.geometry import mesh
+from omote.model.space.complexion import PALE, Complexion, check_complexion
 
 STILL_EYES = (0.0, 0.0, 0.0, 0.0)
 """The turns of eyes by an expression that leaves them alone."""
@@ -47,6 +48,8 @@ class Expression:
         Yaw, pitch and roll of the head, radians; only faces with a gain for the head answer it.
     signed : bool
         Whether it is played below 0 as far as above it, as by a spring: ears then go as far the one way as the other.
+    complexion : sequence of six floats
+        What it does to blood and tears, as of `Complexion`, -2 to 2 each.
 
     Raises
     ------
@@ -79,6 +82,7 @@ class Expression:
     ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
     head: Values = field(default_factory=lambda: np.zeros(3))
     signed: bool = False
+    complexion: Complexion = PALE
 
     def __post_init__(self) -> None:
         count = np.shape(self.dtheta)
@@ -93,6 +97,7 @@ class Expression:
         ):
             object.__setattr__(self, name, _validate(getattr(self, name), name, shape))
         object.__setattr__(self, "pupil", float(_validate([self.pupil], "pupil", (1,))[0]))
+        object.__setattr__(self, "complexion", check_complexion(self.complexion))
         if len(count) != 1:
             raise ValueError(f"dtheta has shape {count}; expected (V,), one angle per vertex")
         low = int(self.ratio.argmin()) if len(self.ratio) else 0

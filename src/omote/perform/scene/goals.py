@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from omote.model.known_names import PLAY_REGIONS
+from omote.perform.complexion import SKIN_FADERS, SKIN_LIMIT
 from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, LAYERS, check_layer
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
@@ -46,12 +47,14 @@ LAYER = "layer:"
 """What the part of a layer begins with: `layer:tracker` is how much of it shows, by region."""
 MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), **dict.fromkeys(DETAILS, (0.0, DETAIL_LIMIT))}
 SPRING_LIMITS: Ranges = dict.fromkeys(SPRING_NAMES, (0.0, AMOUNT_LIMIT))
+SKIN_LIMITS: Ranges = dict.fromkeys(SKIN_FADERS, (0.0, SKIN_LIMIT))
 CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **TURN_LIMITS,
     "place": PLACE_LIMITS,
     "presence": PRESENCE_LIMITS,
     "motion": MOTION_LIMITS,
     "springs": SPRING_LIMITS,
+    "skin": SKIN_LIMITS,
     **{f"{LAYER}{layer}": LAYER_LIMITS for layer in LAYERS},
 }
 """The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
@@ -105,7 +108,7 @@ def ranges_of(part: Part) -> Ranges | None:
 
 def is_setting(name: str) -> bool:
     """Whether a part of a character (by its name there) is set at once, and followed in its own time."""
-    return name in ("motion", "look", "springs") or name.startswith(LAYER)
+    return name in ("motion", "look", "springs", "skin") or name.startswith(LAYER)
 
 
 def takes_one_number(part: Part) -> bool:
@@ -124,8 +127,8 @@ def first_goal(part: Part) -> Goal | None:
         return NOTHING_MOVED
     if name == "look":
         return AHEAD
-    if name == "springs":
-        return dict.fromkeys(SPRING_LIMITS, 1.0)
+    if name in ("springs", "skin"):
+        return dict.fromkeys(CHARACTER_NUMBERS[name], 1.0)
     if name.startswith(LAYER):
         influence = DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence
         return {str(region): value for region, value in influence.items()}

@@ -18,6 +18,7 @@ from omote.perform.axis import (
     with_pace,
 )
 from omote.perform.channels import with_channels
+from omote.perform.complexion import SKIN_FADERS, fader_at
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
@@ -307,6 +308,9 @@ class SceneCharacter(Performer):
         elif name == "springs":
             for spring, amount in goal.items():
                 self.set_spring(spring, amount)
+        elif name == "skin":
+            for fader, amount in goal.items():
+                self.set_skin(fader, amount)
         elif name == "look":
             at = target_of_goal(dict(goal))
             self.look_at(at.kind, at.name, yaw=at.yaw, pitch=at.pitch, x=at.x, y=at.y, z=at.z)
@@ -319,6 +323,8 @@ class SceneCharacter(Performer):
             return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
         if name == "springs":
             return {spring: amount_of(self._now.springs, spring) for spring in SPRING_NAMES}
+        if name == "skin":
+            return {fader: fader_at(self._now.skin, fader) for fader in SKIN_FADERS}
         if name == "look":
             return goal_of_target(self.motion.target)
         influence = self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence

@@ -1,4 +1,4 @@
-"""Motion that a character makes by itself, what its eyes look at, gestures, and what swings as its head moves."""
+"""Motion that a character makes by itself, what its eyes look at, gestures, what swings as its head moves, its skin."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import Annotated
 
 import msgspec
 
+from omote.perform.complexion import SKIN_FADERS, SKIN_LIMIT, SkinFader, check_skin_fader
 from omote.perform.frame import DETAIL_LIMIT, DIRECTION_LIMITS, POINT_LIMITS, TargetKind
 from omote.perform.gestures import AMPLITUDE_LIMIT, GestureName
 from omote.perform.performer import Performer
@@ -24,6 +25,11 @@ _DETAIL = "sets the {} of its own motion, beside all else of it; 1 at first"
 def _amount(state: CharacterState, spring: str) -> tuple[float]:
     """How much of a spring is set."""
     return (state.springs.get(check_spring(spring), 1.0),)
+
+
+def _of_skin(state: CharacterState, fader: str) -> tuple[float]:
+    """Where a fader of the skin stands."""
+    return (state.skin.get(check_skin_fader(fader), 1.0),)
 
 
 class SetMotion(CharacterCommand, frozen=True):
@@ -158,4 +164,32 @@ class SetSpring(CharacterCommand, frozen=True):
 
     def control(self, character: str) -> str:
         """The fader of a spring."""
+        return f"{super().control(character)}:{self.name}"
+
+
+class SetSkin(CharacterCommand, frozen=True):
+    """How much of the folds that skin under pressure makes (`folds`), or of the flush and the pallor of expressions
+    (`blood`), a character shows: 0..1.5, 1 at first."""
+
+    hand = "moves"
+    osc = (
+        Osc(
+            "skin/{name}",
+            "sets how much of the skin's folds, or of its flush and pallor, shows; 1 at first",
+            ("amount",),
+            on_air=_of_skin,
+            reported=lambda _: ((name,) for name in SKIN_FADERS),
+        ),
+    )
+
+    name: Annotated[SkinFader, Value("skin")]
+    amount: Annotated[float, Value(high=SKIN_LIMIT)]
+    id: RequestId = ""
+
+    def play(self, performer: Performer) -> None:
+        """Plays it."""
+        performer.set_skin(self.name, self.amount)
+
+    def control(self, character: str) -> str:
+        """The fader of the skin."""
         return f"{super().control(character)}:{self.name}"

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import msgspec
 
 from omote.model.known_names import PlayRegion
+from omote.perform.complexion import SkinFader
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
 from omote.perform.springs.cast_springs import SpringName
@@ -162,7 +163,9 @@ class CharacterState(msgspec.Struct, frozen=True):
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
     `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
-    last panic. `springs`: how much of each is set, of those that are not 1.
+    last panic. `springs`: how much of each is set, of those that are not 1. `complexion`: the blood that shows in
+    cheeks, nose, forehead, around the eyes and in the whole face, tears, and the metres that they have run; empty where
+    the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are not 1.
     """
 
     faces: dict[str, float]
@@ -195,6 +198,9 @@ class CharacterState(msgspec.Struct, frozen=True):
     macros: dict[str, MacroState] = {}
     pads: dict[str, PadPointState] = {}
     springs: dict[SpringName, float] = {}
+    complexion: list[float] = []
+    folds: float = 1.0
+    skin: dict[SkinFader, float] = {}
 
 
 class State(ServerMessage, frozen=True):

@@ -3,7 +3,7 @@
  * angles in degrees, as the console has them.
  */
 
-import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS, SPRINGS } from "../../link/constants";
+import { ALL, LAYER_PARTS, LAYERS, PLAY_REGIONS, SKIN_FADERS, SPRINGS } from "../../link/constants";
 import { clipCallOf, clipWords } from "./clip_goal";
 import { goalOfPoint, isPadPart, padPointOf, padPointText, padPointWords, pointAt } from "./pad_goal";
 
@@ -20,6 +20,7 @@ export const CHARACTER_PARTS = [
   "presence",
   "motion",
   "springs",
+  "skin",
   "look",
   ...LAYERS.map((layer) => `layer:${layer}`),
   "clip",
@@ -49,6 +50,7 @@ const NUMBERS: Readonly<Record<string, Goal>> = {
   presence: { presence: 1 },
   motion: { liveliness: 1, blinks: 1, gaze: 1, breath: 1 },
   springs: Object.fromEntries(SPRINGS.map((spring) => [spring, 1])),
+  skin: Object.fromEntries(SKIN_FADERS.map((fader) => [fader, 1])),
   black: { black: 1 },
   ...Object.fromEntries(
     LAYERS.map((layer) => [`layer:${layer}`, Object.fromEntries(LAYER_PARTS.map((part) => [part, 1]))]),

@@ -1,13 +1,13 @@
-/** How much the character moves by itself: lids, eyes and the head that follows them, breath; and what swings of it. */
+/** How much the character moves by itself: lids, eyes and the head that follows them, breath; what swings of it, and what its skin shows. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { SPRINGS } from "../../link/constants";
+import { SKIN_FADERS, SKIN_LIMIT, SPRINGS } from "../../link/constants";
 import { base } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { otherStyle, paintOther } from "../controls/other_hand";
-import { type Knob, type MotionDetail, type SpringName, STILL } from "../store/knob";
+import { type Knob, type MotionDetail, type SkinFader, type SpringName, STILL } from "../store/knob";
 import type { Topic } from "../store/page_store";
 import { GazeTargetCommands } from "./gaze_target_commands";
 
@@ -27,6 +27,12 @@ const SPRING_WORDS: Readonly<Record<SpringName, readonly [label: string, title: 
   "cheeks-bounce": ["Cheeks bounce", "How far cheeks bounce as the head nods and the jaw opens"],
 };
 const MOST_SPRING = 2;
+
+/** What each fader of the skin is for. */
+const SKIN_WORDS: Readonly<Record<SkinFader, readonly [label: string, title: string]>> = {
+  folds: ["Folds", "How deep skin folds where expressions press it together; deeper with age"],
+  blood: ["Blush and pallor", "How much the skin reddens and pales with expressions; it follows in seconds"],
+};
 
 const style = css`
   :host {
@@ -76,12 +82,13 @@ export class MotionSettings extends AnimatedElement {
     return html`${SLIDERS.map(([detail, label, most, title]) => this.#slider(detail, label, most, title))}
       <button class="idle" aria-pressed="false" @click=${this.#idle}
         title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>
-      ${springs.map((spring) => this.#slider(spring, SPRING_WORDS[spring][0], MOST_SPRING, SPRING_WORDS[spring][1]))}`;
+      ${springs.map((spring) => this.#slider(spring, SPRING_WORDS[spring][0], MOST_SPRING, SPRING_WORDS[spring][1]))}
+      ${SKIN_FADERS.map((fader) => this.#slider(fader, SKIN_WORDS[fader][0], SKIN_LIMIT, SKIN_WORDS[fader][1]))}`;
   }
 
-  #slider(name: MotionDetail | SpringName, label: string, most: number, title: string) {
+  #slider(name: Setting, label: string, most: number, title: string) {
     const knob = (): Knob => this.#knob(name);
-    const rest = isSpring(name) ? 1 : STILL[name];
+    const rest = isSpring(name) || isOfSkin(name) ? 1 : STILL[name];
     return html`<label title=${title}><span>${label}</span>
       <span class="way"><input type="range" name=${name} min="0" max=${most} step="0.05"
         @input=${(event: Event) => knob().grip(Number(textOf(event)))} @change=${() => knob().leave()}
@@ -89,7 +96,8 @@ export class MotionSettings extends AnimatedElement {
       <span class="number"></span></label>`;
   }
 
-  #knob(name: MotionDetail | SpringName): Knob {
+  #knob(name: Setting): Knob {
+    if (isOfSkin(name)) return this.store.skin(name);
     return isSpring(name) ? this.store.spring(name) : this.store.motion(name);
   }
 
@@ -106,7 +114,7 @@ export class MotionSettings extends AnimatedElement {
   }
 
   #paintSlider(input: HTMLInputElement, now: number): void {
-    const knob = this.#knob(input.name as MotionDetail | SpringName);
+    const knob = this.#knob(input.name as Setting);
     const value = knob.value(now);
     if (!knob.gripped() && Number(input.value) !== value) input.value = String(value);
     const [way, write] = [input.parentElement as HTMLElement, this.write];
@@ -116,4 +124,7 @@ export class MotionSettings extends AnimatedElement {
   }
 }
 
-const isSpring = (name: MotionDetail | SpringName): name is SpringName => name in SPRING_WORDS;
+type Setting = MotionDetail | SpringName | SkinFader;
+
+const isOfSkin = (name: Setting): name is SkinFader => name in SKIN_WORDS;
+const isSpring = (name: Setting): name is SpringName => name in SPRING_WORDS;

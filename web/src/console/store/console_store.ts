@@ -354,6 +354,7 @@ export class ConsoleStore extends PageStore {
   readonly pad: Knobs["pad"] = (...of) => this.#knobs.pad(...of);
   readonly motion: Knobs["motion"] = (detail) => this.#knobs.motion(detail);
   readonly spring: Knobs["spring"] = (name) => this.#knobs.spring(name);
+  readonly skin: Knobs["skin"] = (name) => this.#knobs.skin(name);
   /** Where a macro is. */
   readonly macro: Knobs["macro"] = (name) => this.#knobs.macro(name);
 

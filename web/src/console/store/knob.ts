@@ -1,6 +1,6 @@
 /** Values that hands can hold: channels, head, gaze and T-bars. */
 
-import type { SPRINGS } from "../../link/constants";
+import type { SKIN_FADERS, SPRINGS } from "../../link/constants";
 import type { CharacterState, FromClient } from "../../link/messages";
 import type { Axis } from "./axis";
 import { handsOf } from "./held_state";
@@ -35,6 +35,7 @@ export type GazePart = "yaw" | "pitch";
 /** What is set of a character's automatic motion by hand. */
 export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
 export type SpringName = (typeof SPRINGS)[number];
+export type SkinFader = (typeof SKIN_FADERS)[number];
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
 /** The dimensions of a pad, in order. */
@@ -148,6 +149,16 @@ export class Knobs {
     );
   }
 
+  /** How much of what skin shows is seen. */
+  skin(name: SkinFader): Knob {
+    const key = `skin:${name}`;
+    return this.#knob(
+      [key],
+      (state) => state.skin[name] ?? 1,
+      (amount) => this.#put(key, (character) => ({ type: "set_skin", character, name, amount })),
+    );
+  }
+
   /** A macro: of each character that is played and has one of the name. */
   macro(name: string): Knob {
     const key = `macro:${name}`;
@@ -242,7 +253,7 @@ export class Knobs {
 function controlOf(key: string): string {
   const [what, name] = key.split(":");
   if (what === "pad") return `move_pad:${name}`;
-  if (what === "channel" || what === "layer" || what === "spring") return `set_${key}`;
+  if (what === "channel" || what === "layer" || what === "spring" || what === "skin") return `set_${key}`;
   if (what === "macro") return `move_${key}`;
   return name === undefined ? key : `set_${what}`;
 }

@@ -9,6 +9,7 @@ import type { Topic } from "../session/draft_store";
 import type { Kind } from "../session/item_commands";
 import "../controls/amount";
 import "./exchange_panel";
+import "./complexion_panel";
 import "./eyes_panel";
 import "./history_panel";
 import "./layers_panel";
@@ -16,12 +17,13 @@ import "./muscles_panel";
 import "./points_panel";
 import "./recipe_panel";
 
-type Tab = "layers" | "muscles" | "points" | "eyes" | "recipe" | "history" | "exchange";
+type Tab = "layers" | "muscles" | "points" | "eyes" | "skin" | "recipe" | "history" | "exchange";
 const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
   ["layers", "Layers"],
   ["muscles", "Muscles"],
   ["points", "Numbers"],
   ["eyes", "Eyes"],
+  ["skin", "Skin"],
   ["history", "History"],
   ["exchange", "Import & export"],
 ];
@@ -159,6 +161,7 @@ const PANELS: Readonly<Record<Tab, (context: Context) => unknown>> = {
   muscles: (context) => html`<omote-muscles .context=${context}></omote-muscles>`,
   points: (context) => html`<omote-points .context=${context}></omote-points>`,
   eyes: (context) => html`<omote-eyes .context=${context}></omote-eyes>`,
+  skin: (context) => html`<omote-complexion .context=${context}></omote-complexion>`,
   recipe: (context) => html`<omote-recipe .context=${context}></omote-recipe>`,
   history: (context) => html`<omote-history .context=${context}></omote-history>`,
   exchange: (context) => html`<omote-exchange .context=${context}></omote-exchange>`,

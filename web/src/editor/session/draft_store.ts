@@ -20,6 +20,7 @@ import { LayerPreview } from "./layer_preview";
 
 export { type EditorTopic as Topic, MOST_NEIGHBOURS, type Options, type Tool } from "./editor_store";
 
+const PALE: Recipe["complexion"] = [0, 0, 0, 0, 0, 0];
 const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
 export class DraftStore extends EditorStore {
@@ -36,6 +37,8 @@ export class DraftStore extends EditorStore {
   livePulls: ReadonlyMap<string, number> = new Map();
   /** What the recipe adds to eyeballs and pupils, as the hand has it now. */
   liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
+  /** What the recipe adds to blood and tears, as the hand has it now. */
+  liveComplexion: Recipe["complexion"] = PALE;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
   /** What is shown of layers that are tried, or alone. */
@@ -174,6 +177,16 @@ export class DraftStore extends EditorStore {
     this.edit({ type: "set_eyes", eyes: this.liveEyes.turns, pupil: this.liveEyes.pupil });
   }
 
+  /** Blood and tears show so far, on this page only, until `sendComplexion`. */
+  flush(complexion: Recipe["complexion"]): void {
+    this.liveComplexion = complexion;
+    this.tell("live");
+  }
+
+  sendComplexion(): void {
+    this.edit({ type: "set_complexion", complexion: this.liveComplexion });
+  }
+
   /** Another recipe of a face, made of the one that the steps before leave; `what` goes into the history. */
   setFace(change: (recipe: FaceRecipe) => FaceRecipe, what: string): void {
     this.#endSolo();
@@ -294,6 +307,7 @@ export class DraftStore extends EditorStore {
       this.live = vectors;
     }
     this.liveEyes = { turns: recipe.eyes, pupil: recipe.pupil };
+    this.liveComplexion = recipe.complexion;
     this.livePulls = new Map(recipe.pulls.map(({ muscle, contraction }) => [muscle, contraction]));
     this.tell("live");
   }

@@ -104,8 +104,13 @@ function atRest(recipe: Recipe | null): boolean {
   if (recipe === null || recipe.ground !== null || recipe.pupil !== 0) return false;
   const still = recipe.vectors.every((vector) => vector.every((part, at) => part === REST[at]));
   const silent = recipe.layers.every(({ muted, weight }) => muted || weight === 0);
+  const pale = recipe.complexion.every((part) => part === 0);
   return (
-    still && silent && recipe.eyes.every((turn) => turn === 0) && recipe.pulls.every((pull) => pull.contraction === 0)
+    pale &&
+    still &&
+    silent &&
+    recipe.eyes.every((turn) => turn === 0) &&
+    recipe.pulls.every((pull) => pull.contraction === 0)
   );
 }
 

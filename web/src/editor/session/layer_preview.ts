@@ -17,11 +17,12 @@ export interface PreviewedDraft {
   tell(topic: "draft"): void;
 }
 
-const STILL: Pick<Recipe, "vectors" | "pulls" | "eyes" | "pupil" | "ground"> = {
+const STILL: Pick<Recipe, "vectors" | "pulls" | "eyes" | "pupil" | "complexion" | "ground"> = {
   vectors: [],
   pulls: [],
   eyes: [0, 0, 0, 0],
   pupil: 0,
+  complexion: [0, 0, 0, 0, 0, 0],
   ground: null,
 };
 

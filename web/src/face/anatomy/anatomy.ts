@@ -2,7 +2,8 @@
 
 import { MathUtils } from "three";
 import type { Library, Mesh } from "../../link/assets";
-import { HAIRLINE } from "../../link/constants";
+import { FOLDING_MOST, HAIRLINE } from "../../link/constants";
+import { bloodSpots } from "./blood_spots";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
 import { bagDepths, lipRows } from "./mouth_bag";
 import { type RegionMasks, readRegionMasks } from "./region_masks";
@@ -25,6 +26,12 @@ export interface Anatomy {
   bag: Float32Array;
   /** Rows of the lips' right and left corner, and of the middle of their upper and lower edge. */
   lips: readonly [number, number, number, number];
+  /** How much each row belongs to each spot of blood, four numbers a row. */
+  spots: Float32Array;
+  /** How far expressions press each row together at most; 0 where skin does not fold. */
+  folding: Float32Array;
+  /** The fans of the triangles that may fold; undefined: nothing folds. */
+  foldingFans: Fans | undefined;
   /** How sums are put right, where the cast says so. */
   correctives: CorrectivesData | undefined;
   /** What belongs to which region, where the cast says so. */
@@ -58,7 +65,34 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
   const line = lines.get("lips") ?? [];
   const bag = bagDepths(around, positions, line, rim[0] ?? 0, manifest.skin);
   const lips = lipRows(line, positions);
-  return { fans: around, traits, rim, eyeRows: eyes, positions, lines, bag, lips, ...readDocuments(library) };
+  const folds = foldingOf(library, triangles[skin] ?? new Uint32Array());
+  const spots = bloodSpots(positions);
+  return {
+    fans: around,
+    traits,
+    rim,
+    eyeRows: eyes,
+    positions,
+    lines,
+    bag,
+    lips,
+    spots,
+    ...folds,
+    ...readDocuments(library),
+  };
+}
+
+/** Where skin folds: the rows that the cast says, and the triangles between them. */
+function foldingOf({ manifest }: Library, skin: Uint32Array): Pick<Anatomy, "folding" | "foldingFans"> {
+  const folding = new Float32Array(manifest.vertices);
+  manifest.folding.forEach((most, row) => {
+    folding[row] = (most * FOLDING_MOST) / 255;
+  });
+  const asked = skin.filter((_, corner) => {
+    const first = corner - (corner % 3);
+    return [0, 1, 2].every((at) => (folding[skin[first + at] as number] as number) > 0);
+  });
+  return { folding, foldingFans: asked.length === 0 ? undefined : fans([asked], manifest.vertices) };
 }
 
 function readDocuments({ manifest }: Library): Pick<Anatomy, "correctives" | "regions"> {

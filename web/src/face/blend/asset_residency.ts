@@ -1,6 +1,7 @@
 /** Decides which blendshapes are on the GPU, and eases in those that arrive late. */
 
 import type { Compound, Library } from "../../link/assets";
+import { LID_UNITS } from "../../link/constants";
 import { expressionNames, faceWeights, type Term, terms } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 import type { Blender } from "./blender";
@@ -9,6 +10,7 @@ import type { CompoundSum } from "./sum_pass";
 /** Writes a layer's values, (x, y, z, unused) per texel. */
 type Fill = (into: Float32Array) => void;
 
+const LIDS: ReadonlySet<string> = new Set(LID_UNITS);
 const CATCH_UP = 0.25; // seconds in which a term that came late grows to its weight
 const UPLOADS = 8; // layers uploaded in one frame, so that no frame is late for them
 
@@ -78,11 +80,13 @@ export class AssetResidency {
     );
     const rest = entries.filter((_, at) => plain[at]?.expression === undefined);
     const beyond = held.some(({ expression, weight, most }) => expression && Math.abs(weight) > BEYOND * most);
+    const lids = entries.filter((_, at) => LIDS.has(plain[at]?.expression ?? ""));
     const several = rest.length > 1 || held.length > rest.length + 1 || regional.length > 0 || beyond;
     return {
       entries,
       regional,
       rest,
+      lids,
       allowed: several ? this.allow(held, allowed) : undefined,
     };
   }

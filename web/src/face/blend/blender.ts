@@ -8,6 +8,7 @@ import { type Correction, CorrectivePasses } from "./corrective_passes";
 import { SLOTS } from "./corrective_shaders";
 import { LayerTable } from "./layer_table";
 import { ProcessorBlend, socketsOf } from "./processor_blend";
+import { StrainPass } from "./strain_pass";
 import { type CompoundSum, type Eyeballs, SumPass } from "./sum_pass";
 
 /** Where one character is blended to: everything that is drawn of it reads these two textures. */
@@ -16,6 +17,15 @@ export interface BlendTarget {
   readonly normals: WebGLTexture;
   readonly positionFrame: WebGLFramebuffer;
   readonly normalFrame: WebGLFramebuffer;
+  /** How far its skin is pressed, where `pressed`. */
+  readonly strains: WebGLTexture;
+  readonly strainFrame: WebGLFramebuffer;
+  readonly rests: WebGLTexture;
+  readonly restFrame: WebGLFramebuffer;
+  /** Whether anything but its faces is worn, and strains say how that presses the skin. */
+  pressed: boolean;
+  /** The mix that lies in `rests`. */
+  rested: string;
 }
 
 /** What will be blended with the frame's others. */
@@ -41,6 +51,8 @@ export class Blender {
   /** By slot of the corrective passes: the mix of faces that lies there without expression. */
   private readonly rested: string[] = [];
   private readonly processor: ProcessorBlend | undefined;
+  private readonly targets = new Set<BlendTarget>();
+  private readonly strainPass: StrainPass | undefined;
   private jobs: Job[] = [];
   /** Whether all is blended on the processor, where it can be (`software`); either way draws the same. */
   onProcessor = false;
@@ -52,6 +64,7 @@ export class Blender {
     fan: Fans,
     correctives?: CorrectivesData,
     regions?: Float32Array,
+    folding?: Fans,
     software = false,
   ) {
     if (gl.getExtension("EXT_color_buffer_float") === null)
@@ -62,6 +75,7 @@ export class Blender {
       Math.min(1024, gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS) as number),
     );
     this.sumPass = new SumPass(gl, this.height, regions);
+    this.strainPass = folding === undefined ? undefined : new StrainPass(gl, this.height, folding);
     this.normalPass = createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT);
     this.store = this.createStore(FIRST_CAPACITY);
     this.empty = gl.createVertexArray();
@@ -75,19 +89,27 @@ export class Blender {
   createTarget(): BlendTarget {
     const [positions, positionFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
     const [normals, normalFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
-    return { positions, normals, positionFrame, normalFrame };
+    const [strains, strainFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
+    const [rests, restFrame] = targetTexture(this.gl, ROW_WIDTH, this.height);
+    const strained = { strains, strainFrame, rests, restFrame, pressed: false, rested: "" };
+    const target = { positions, normals, positionFrame, normalFrame, ...strained };
+    this.targets.add(target);
+    return target;
   }
 
   /** Frees the target of a character that is gone. */
-  drop({ positions, normals, positionFrame, normalFrame }: BlendTarget): void {
-    for (const texture of [positions, normals]) this.gl.deleteTexture(texture);
-    for (const frame of [positionFrame, normalFrame]) this.gl.deleteFramebuffer(frame);
+  drop(target: BlendTarget): void {
+    const { positions, normals, strains, rests, positionFrame, normalFrame, strainFrame, restFrame } = target;
+    this.targets.delete(target);
+    for (const texture of [positions, normals, strains, rests]) this.gl.deleteTexture(texture);
+    for (const frame of [positionFrame, normalFrame, strainFrame, restFrame]) this.gl.deleteFramebuffer(frame);
   }
 
   /** Puts `rows` times (x, y, z, unused) into a layer, growing the array where it must. */
   upload(layer: number, values: Float32Array): void {
     const { gl } = this;
     this.rested.length = 0; // a layer holds something else now
+    for (const target of this.targets) target.rested = "";
     this.processor?.keep(layer, values);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.store);
     if (layer >= this.storeDepth) this.growStore();
@@ -125,15 +147,25 @@ export class Blender {
       for (let first = 0; first < corrected.length; first += SLOTS)
         this.correct(passes, corrected.slice(first, first + SLOTS));
     for (const { target } of jobs) this.deriveNormals(target);
+    for (const job of jobs) this.deriveStrain(job);
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
   /** A character's blended positions, (rows, 3) metres, read back from the GPU (slow: for tests). */
   readPositions({ positionFrame }: BlendTarget): Float32Array {
+    return this.read(positionFrame);
+  }
+
+  /** How far its skin is pressed, (rows, 3): level, mixed, upright; read back from the GPU (slow: for tests). */
+  readStrains({ strainFrame }: BlendTarget): Float32Array {
+    return this.read(strainFrame);
+  }
+
+  private read(frame: WebGLFramebuffer): Float32Array {
     const { gl } = this;
     const texels = this.blankLayer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, positionFrame);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     gl.readPixels(0, 0, ROW_WIDTH, this.height, gl.RGBA, gl.FLOAT, texels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     const positions = new Float32Array(3 * this.rows);
@@ -145,7 +177,7 @@ export class Blender {
     const { gl } = this;
     for (const texture of [this.store, this.ranges, this.corners]) gl.deleteTexture(texture);
     gl.deleteProgram(this.normalPass);
-    for (const passes of [this.sumPass, this.correctivePasses]) passes?.dispose();
+    for (const passes of [this.sumPass, this.correctivePasses, this.strainPass]) passes?.dispose();
     gl.deleteVertexArray(this.empty);
   }
 
@@ -168,6 +200,7 @@ export class Blender {
   /** Hands over what the processor blends, one character after the other. */
   private blendOn(processor: ProcessorBlend, jobs: readonly Job[]): void {
     const { gl, height } = this;
+    for (const { target } of jobs) target.pressed = false;
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     gl.activeTexture(gl.TEXTURE0);
@@ -178,6 +211,18 @@ export class Blender {
         gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW_WIDTH, height, gl.RGBA, gl.FLOAT, processor[kind]);
       }
     }
+  }
+
+  /** How the skin is pressed by what is worn over its faces; blinks and looks count as rest. */
+  private deriveStrain({ mix, eyes, target }: Job): void {
+    const { strainPass, sumPass, store } = this;
+    const rest = [...mix.rest, ...mix.lids];
+    target.pressed = strainPass !== undefined && mix.entries.length + mix.regional.length > rest.length;
+    if (strainPass === undefined || !target.pressed) return;
+    const rested = JSON.stringify(rest);
+    if (rested !== target.rested) sumPass.draw(store, { entries: rest, regional: [] }, eyes, target.restFrame);
+    target.rested = rested;
+    strainPass.draw(target.positions, target.rests, target.strainFrame);
   }
 
   private deriveNormals({ positions, normalFrame }: BlendTarget): void {

@@ -35,7 +35,7 @@ describe("the blend on the processor", () => {
   it.each([1, 3, 4, 5, 9])("adds up %i layers by weight", (count) => {
     const blend = blended(count);
     const entries = Array.from({ length: count }, (_, layer) => ({ layer, weight: 0.3 - 0.1 * layer }));
-    blend.blend({ entries, regional: [], rest: [], allowed: undefined }, eyes, {});
+    blend.blend({ entries, regional: [], rest: [], lids: [], allowed: undefined }, eyes, {});
     for (let at = 0; at < 4; at++)
       close(
         row(blend.positions, at),
@@ -58,7 +58,11 @@ describe("the blend on the processor", () => {
       );
     });
     const entries = [...reach.keys(), 77].map((layer) => ({ layer, weight: 0.4 - 0.1 * layer }));
-    blend.blend({ entries, regional: [], rest: [], allowed: undefined }, { ...eyes, rows: new Int32Array(4) }, {});
+    blend.blend(
+      { entries, regional: [], rest: [], lids: [], allowed: undefined },
+      { ...eyes, rows: new Int32Array(4) },
+      {},
+    );
     for (let at = 0; at < many; at++)
       close(
         row(blend.positions, at),
@@ -69,7 +73,7 @@ describe("the blend on the processor", () => {
   it("weighs a layer by the regions of each row", () => {
     const blend = blended(2);
     const regional = [{ layer: 1, weights: [0.1, 0.2, 0.4, 0.8] }];
-    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional, rest: [], allowed: undefined }, eyes, {});
+    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional, rest: [], lids: [], allowed: undefined }, eyes, {});
     [0.1, 0.2, 0.6, 0.8].forEach((weight, at) => {
       close(
         row(blend.positions, at),
@@ -80,7 +84,7 @@ describe("the blend on the processor", () => {
 
   it("turns an eyeball about its centre", () => {
     const blend = blended(1);
-    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional: [], rest: [], allowed: undefined }, eyes, {});
+    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional: [], rest: [], lids: [], allowed: undefined }, eyes, {});
     const [x, y, z] = [0, 1, 2].map((axis) => coordinate(0, 4, axis)) as [number, number, number];
     close(row(blend.positions, 4), [-y, x, z]);
   });
@@ -97,7 +101,7 @@ describe("the blend on the processor", () => {
       texels.set(place, 4 * at);
     });
     blend.keep(0, texels);
-    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional: [], rest: [], allowed: undefined }, eyes, {});
+    blend.blend({ entries: [{ layer: 0, weight: 1 }], regional: [], rest: [], lids: [], allowed: undefined }, eyes, {});
     close(row(blend.normals, 1), [0, 0, 1]);
     const folded = [6, -6, 4].map((value) => value / Math.hypot(6, 6, 4));
     close(row(blend.normals, 3), folded);

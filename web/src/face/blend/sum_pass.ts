@@ -32,6 +32,8 @@ export interface Sum {
 /** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
 export interface CompoundSum extends Sum {
   rest: readonly Entry[];
+  /** Those of them that count as rest where skin is pressed: lids that blink and follow the gaze. */
+  lids: readonly Entry[];
   /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
   allowed: Float32Array | undefined;
 }

@@ -4,7 +4,8 @@
 export const ROW_WIDTH = 128;
 export const ROW_SHIFT = 7;
 
-const HEAD = `#version 300 es
+/** What every shader of a pass begins with. */
+export const PASS_HEAD = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -13,7 +14,7 @@ precision highp sampler2DArray;
 `;
 
 /** One triangle over the whole target. */
-export const PASS_VERTEX = `${HEAD}
+export const PASS_VERTEX = `${PASS_HEAD}
 void main() {
   gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
@@ -39,7 +40,7 @@ const REGIONAL_SUM = `
  * Eq. 3 of Arai (1993): P = sum of weight x layer (docs/method.md, "The mix"), a layer for each compound; `regional`: and of layers that weigh another in each region; the
  * eyeballs' rows turn about their centres.
  */
-export const blendFragment = (regional: boolean): string => `${HEAD}
+export const blendFragment = (regional: boolean): string => `${PASS_HEAD}
 layout(std140) uniform Mix { vec4 entries[${MOST_ENTRIES / 2}]; };
 uniform sampler2DArray layers;
 uniform int pairs;
@@ -66,7 +67,7 @@ ${regional ? REGIONAL_SUM : ""}
 `;
 
 /** Area-weighted normals from the triangles around each row. */
-export const NORMAL_FRAGMENT = `${HEAD}
+export const NORMAL_FRAGMENT = `${PASS_HEAD}
 uniform sampler2D positions;
 uniform usampler2D ranges;
 uniform usampler2D corners;

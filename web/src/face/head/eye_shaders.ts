@@ -117,6 +117,8 @@ uniform mat3 eyeTurn; // eye to world
 uniform mat3 headTurn;
 uniform float age;
 uniform float fur;
+uniform vec4 blood; // in w around the eyes
+uniform float tears;
 in vec3 vLocal;
 in vec3 vPoint;
 in vec3 vLids;
@@ -127,6 +129,8 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   white *= mix(vec3(1.0), vec3(0.94, 0.86, 0.72), age) * mix(vec3(1.0), vec3(0.62, 0.50, 0.38), fur); // old eyes yellow, animals' are dark
   float far = smoothstep(0.35, 1.05, abs(corner));
   white = mix(white, vec3(0.70, 0.42, 0.37), 0.55 * far);
+  float red = clamp(blood.w, 0.0, 1.0);
+  white *= 1.0 - red * (0.35 + 0.65 * far) * vec3(0.03, 0.26, 0.28);
   white *= 1.0 - vec3(0.02, 0.10, 0.11) * smoothstep(0.45, 0.95, length(local.xy));
 #ifdef DETAIL
   float off = length(local.xy);
@@ -134,8 +138,8 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   float bow = textureLod(grain, vec2(turn * 2.0, off * 0.10), 1.0).b - 0.5;
   float vein = abs(textureLod(grain, vec2(turn + 0.020 * bow, off * 0.045), 1.0).b - 0.5);
   float twig = abs(textureLod(grain, vec2(turn * 2.0 - 0.035 * bow, off * 0.11), 1.0).b - 0.5);
-  float blood = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
-  white = mix(white, vec3(0.58, 0.17, 0.14), min(blood, 1.0) * (0.10 + 0.20 * far + 0.25 * age) * smoothstep(0.46, 0.85, off));
+  float vessels = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
+  white = mix(white, vec3(0.58, 0.17, 0.14), min(vessels, 1.0) * (0.10 + 0.20 * far + 0.25 * age + 0.35 * red) * smoothstep(0.46, 0.85, off));
 #endif
   white *= 1.0 - 0.35 * fur;
   flesh = smoothstep(-0.86, -0.97, corner);
@@ -195,7 +199,7 @@ void main() {
 
   // The tears: a film over all, and a line that climbs the lower lid.
   vec3 up = headTurn * vec3(0.0, 1.0, 0.0);
-  float climb = 1.0 - smoothstep(0.0, 0.055, vLids.y);
+  float climb = 1.0 - smoothstep(0.0, 0.055 + 0.05 * tears, vLids.y);
   vec3 film = normalize(wet + climb * (0.9 * up + 0.35 * view));
   vec3 mirrored = reflect(-view, film);
   float glance = 1.0 - max(dot(film, view), 0.0);
@@ -210,7 +214,7 @@ void main() {
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));
   light += room * min(fresnel, 0.35) * 1.6 * skyOpen * smoothstep(-0.05, 0.22, vLids.x);
-  light += (KEY_LIGHT * 0.20 * keyOpen + around * 0.5) * climb * smoothstep(0.0, 0.012, vLids.y) * 0.28 * (1.0 - flesh);
+  light += (KEY_LIGHT * 0.20 * keyOpen + around * 0.5) * climb * smoothstep(0.0, 0.012, vLids.y) * (0.28 + 0.5 * tears) * (1.0 - flesh);
 #endif
   light *= mix(0.45, 1.0, smoothstep(-0.005, 0.022, min(vLids.x, vLids.y + 0.004))); // the crease where ball and lid meet
   colour = premultiplied(light, 1.0);

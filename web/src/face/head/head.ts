@@ -7,6 +7,7 @@ import { material, type Uniforms } from "../gpu/renderer";
 import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
+import { type BloodUniforms, bloodUniforms } from "../skin/blood";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
 import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
@@ -29,10 +30,16 @@ export interface HeadUniforms
     ShadowUniforms,
     SkinUniforms,
     PaintUniforms,
+    BloodUniforms,
     LookColours,
     EyeNumbers {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
+  strains: THREE.IUniform<THREE.Texture>;
+  /** How much of the skin's folds shows; 0 where nothing presses it. */
+  folds: THREE.IUniform<number>;
+  /** 1 where strains say how skin is pressed. */
+  pressed: THREE.IUniform<number>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
   viewPoint: THREE.IUniform<THREE.Vector3>;
@@ -54,14 +61,19 @@ export function headUniforms(
   positions: WebGLTexture | null,
   normals: WebGLTexture | null,
   common?: HeadUniforms,
+  strains: WebGLTexture | null = null,
 ): HeadUniforms {
   return {
     ...lightUniforms(),
     ...skinUniforms(common),
     ...paintUniforms(),
     ...shadowUniforms(),
+    ...bloodUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
+    strains: { value: new THREE.ExternalTexture(strains) },
+    folds: { value: 0 },
+    pressed: { value: 0 },
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
     viewPoint: { value: new THREE.Vector3() },

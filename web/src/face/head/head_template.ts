@@ -21,13 +21,16 @@ export function headTemplate(parts: Omit<HeadParts, "shared" | "eyes">, shared: 
   return { head: buildHead({ ...parts, shared, eyes }), shared, eyes };
 }
 
+/** The textures that a character is blended into. */
+interface Blended {
+  readonly positions: WebGLTexture;
+  readonly normals: WebGLTexture;
+  readonly strains: WebGLTexture;
+}
+
 /** Uniforms of one more character; grain and layers of the skin are those of `common`. */
-export function characterUniforms(
-  positions: WebGLTexture,
-  normals: WebGLTexture,
-  common: HeadUniforms,
-): CharacterUniforms {
-  const shared = headUniforms(positions, normals, common);
+export function characterUniforms({ positions, normals, strains }: Blended, common: HeadUniforms): CharacterUniforms {
+  const shared = headUniforms(positions, normals, common, strains);
   return { shared, eyes: [eyeUniforms(), eyeUniforms()] };
 }
 

@@ -5,14 +5,30 @@ import type { CharacterState, State } from "../../link/messages";
 
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
 export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "added" | "head" | "eyes"> &
-  Pick<State, "light">;
+  Pick<State, "light"> & {
+    /** Blood, tears and what these have run, as in a state; without it what the expressions bring, at once. */
+    readonly complexion?: readonly number[] | undefined;
+    /** How much of the skin's folds shows; all without it. */
+    readonly folds?: number | undefined;
+  };
 
 type Weights = Record<string, number>;
 type Regions = Pose["regions"];
 
 /** The same text for the same pose. */
-export const poseKey = ({ faces, expressions, regions, channels, added, head, eyes, light }: Pose): string =>
-  JSON.stringify([faces, expressions, regions, channels, added, head, eyes, light]);
+export const poseKey = ({
+  faces,
+  expressions,
+  regions,
+  channels,
+  added,
+  head,
+  eyes,
+  light,
+  complexion,
+  folds,
+}: Pose): string =>
+  JSON.stringify([faces, expressions, regions, channels, added, head, eyes, light, complexion, folds]);
 
 /** The pose at rest: one face, neutral. */
 export const restPose = (face: string, expression = "neutral"): Pose => ({
@@ -46,6 +62,19 @@ function mixAngles<T extends number[]>(from: T, to: T, part: number): T {
   return from.map((angle, index) => angle + ((to[index] as number) - angle) * part) as T;
 }
 
+/** A complexion part of the way; numbers that are missing are 0. */
+function mixComplexion(from: Pose["complexion"], to: Pose["complexion"], part: number): Pose["complexion"] {
+  if (from === undefined || to === undefined) return to ?? from;
+  return Array.from({ length: Math.max(from.length, to.length) }, (_, at) => {
+    const [before, after] = [from[at] ?? 0, to[at] ?? 0];
+    return before + (after - before) * part;
+  });
+}
+
+function mixFolds(from: Pose["folds"], to: Pose["folds"], part: number): Pose["folds"] {
+  return from === undefined && to === undefined ? undefined : (from ?? 1) + ((to ?? 1) - (from ?? 1)) * part;
+}
+
 /** The pose part of the way (0..1) from `from` to `to`; sums of weights stay what they are. */
 export function mixPoses(from: Pose, to: Pose, part: number): Pose {
   return {
@@ -57,6 +86,8 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     head: mixAngles(from.head, to.head, part),
     eyes: mixAngles(from.eyes, to.eyes, part),
     light: mixWeights(from.light, to.light, part),
+    complexion: mixComplexion(from.complexion, to.complexion, part),
+    folds: mixFolds(from.folds, to.folds, part),
   };
 }
 

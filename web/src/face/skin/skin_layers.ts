@@ -16,6 +16,8 @@ const BLANKS = {
   relief: [128, 128, 128, 128],
   finish: [115, 51, 255, 128],
   pelt: [0, 0, 0, 0],
+  level_folds: [128, 0, 255, 128],
+  upright_folds: [128, 0, 255, 128],
 } as const satisfies Record<SkinLayer, readonly [number, number, number, number]>;
 
 /** What of a look is a number for the skin's shaders, by the same name. */

@@ -1,6 +1,8 @@
 /** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
 
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
+import { BLOOD, FLUSHED } from "./blood";
+import { FOLDS, TEARS } from "./fold_shaders";
 import { SCALP_COLOURS, SKIN_COLOURS } from "./skin_colour_shaders";
 import { OILY } from "./skin_paint_shaders";
 
@@ -71,6 +73,8 @@ const PIXEL_LIGHT = `
 uniform float gloss;
 #ifdef DETAIL
 uniform sampler2D relief;
+in vec3 vUp;
+${FOLDS}${TEARS}
 
 /** The normal tilted by slopes along the texture's columns and rows (M. Mikkelsen, "Surface Gradient Based Bump Mapping", 2020). */
 vec3 tilted(vec3 normal, vec2 slope) {
@@ -111,6 +115,12 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 view = normalize(viewPoint - vPoint);
 #ifdef DETAIL
   vec3 normal = fine(form, at);
+  if (folds > 0.0) {
+    Folded folded = foldsAt(form, at);
+    normal = normalize(normal - folded.slope);
+    at.albedo *= mix(vec3(1.0), mix(vec3(0.60, 0.47, 0.42), vec3(0.5), at.fur), folded.groove);
+    open *= mix(1.0, 0.65, folded.groove);
+  }
 #else
   vec3 normal = form;
 #endif
@@ -140,12 +150,25 @@ vec3 lit(Layers layers, Ground at, float open) {
   float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   strength *= open;
+#ifdef DETAIL
+  Tear tear = tearAt();
+  if (tear.water > 0.0) {
+    vec3 level = normalize(cross(vUp, form));
+    normal = normalize(normal + tear.slope.x * level + tear.slope.y * cross(form, level));
+    wet = max(wet, tear.water);
+    sharpness = mix(sharpness, 110.0, tear.water);
+    strength = mix(strength, 1.4, tear.water);
+  }
+#endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
   float inside = max(at.lining, at.lips * smoothstep(0.7, 0.95, layers.mask.r)); // seen edge on, it mirrors the mouth behind it
   mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open * (1.0 - inside);
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
+#ifdef DETAIL
+  seen += at.albedo * diffuse * max(-tear.slope.y, 0.0) * 0.45 * tear.water; // a drop gathers light at its foot
+#endif
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
   seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.06), at.hair) * (1.0 + at.fur);
@@ -208,7 +231,7 @@ vec4 layer(sampler2D picture) { return texture(picture, vUv); }
 #endif
 `;
 
-export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
+export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}${BLOOD}${FLUSHED}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
 in float behind; // metres behind the lips
@@ -221,9 +244,33 @@ out vec4 vPaint; // place on its pictures, hairline, shine
 out vec4 vLight; // and shine on lips
 #else
 out vec2 vUv;
-out vec3 vTraits;
+out vec4 vTraits;
 out vec3 vPoint;
 out vec3 vNormal;
+#ifdef DETAIL
+uniform sampler2D strains;
+uniform float pressed;
+in vec3 frontal;
+#ifndef CURVED
+in float folding;
+#endif
+out vec3 vPressed;
+out vec3 vUp;
+out vec3 vFrontal;
+
+/** How far the skin is pressed, of the most that it is; and what blood that drives out, or draws in. */
+float press(out vec3 share) {
+  share = vec3(0.0);
+#ifndef CURVED
+  if (pressed * folding > 0.0) {
+    vec3 strain = fetchRow(strains);
+    share = strain / folding;
+    return clamp(-0.5 * (strain.x + strain.z), -0.22, 0.22);
+  }
+#endif
+  return 0.0;
+}
+#endif
 #endif
 
 /** The lining of the mouth lies so close around gums and crowns that its triangles cut them: it is drawn as if it lay deeper. */
@@ -260,10 +307,17 @@ void main() {
   vec2 shines = light * open * fallen.gloss;
   vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.06 / max(hair, 0.02), traits.z * scalp); // as the colour that they are multiplied with wants it
   vPaint = vec4(uv, traits.z, shines.x + 1.2 * shines.y);
-  vLight = vec4(light * (fallen.diffuse + fallen.rim * edges * RIM_LIGHT), 3.0 * shines.y);
+  vec3 bled = mix(flushed(bloodAt(0.0)), vec3(1.0), traits.z * scalp);
+  vLight = vec4(light * bled * (fallen.diffuse + fallen.rim * edges * RIM_LIGHT), 3.0 * shines.y);
 #else
   vUv = uv;
-  vTraits = vec3(open, traits.z, light);
+  float squeezed = 0.0;
+#ifdef DETAIL
+  squeezed = press(vPressed);
+  vUp = mix(vec3(0.0, 1.0, 0.0), headTurn[1], traits.x);
+  vFrontal = frontal;
+#endif
+  vTraits = vec4(open, traits.z, light, bloodAt(squeezed));
   vPoint = point;
   vNormal = normal;
 #endif
@@ -291,13 +345,13 @@ vec3 seen() {
 /** The skin's colour and light at a pixel, from all of its layers. */
 const LAYERED_LIGHT = `
 in vec2 vUv;
-in vec3 vTraits;
+in vec4 vTraits;
 in vec3 vPoint;
 in vec3 vNormal;
 #ifdef DETAIL
 uniform sampler2D finish;
 #endif
-${LAYER_SAMPLING}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
+${LAYER_SAMPLING}${FLUSHED}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
 vec3 seen() {
 #ifdef SHARPEN
   sharper = -slant();
@@ -309,6 +363,7 @@ vec3 seen() {
 #endif
   Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
   Ground at = ground(layers, vTraits.y);
+  at.albedo *= mix(flushed(vTraits.w), vec3(1.0), at.hair);
   return lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
 }
 `;

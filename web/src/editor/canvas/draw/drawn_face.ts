@@ -16,8 +16,10 @@ import { eyeUniforms, geometryOf, type HeadUniforms, headUniforms } from "../../
 import { type CharacterUniforms, copyHead, type HeadTemplate, headTemplate } from "../../../face/head/head_template";
 import { writeLight } from "../../../face/light/light_uniforms";
 import { LIGHTS, type Light, lightAlong } from "../../../face/light/lights";
+import { named } from "../../../face/pose/complexion";
 import { restPose, writeTurn } from "../../../face/pose/pose";
 import { definesOf, FEATURES, type Features, featuresOf } from "../../../face/quality/quality_levels";
+import { writeBlood } from "../../../face/skin/blood";
 import { applyLayers } from "../../../face/skin/skin_layers";
 import { SkinPaint } from "../../../face/skin/skin_paint";
 import { skinParts } from "../../../face/skin/skin_parts";
@@ -173,6 +175,7 @@ export class DrawnFace {
   private figure: Figure | undefined;
   private lag = 0;
   private gazed = "";
+  private bled = "";
   private hair: { mesh: THREE.Mesh; uniforms: StyleUniforms } | undefined;
 
   /** rows: of the positions. */
@@ -241,6 +244,16 @@ export class DrawnFace {
     }
     this.turnEyes();
     this.uniforms.shared.positions.value.needsUpdate = true;
+  }
+
+  /** Reddens, pales and weeps by these numbers; whether they are others than before. */
+  bleed(numbers: readonly number[]): boolean {
+    const { shared } = this.uniforms;
+    const key = [...numbers, shared.lacquer.value, shared.fur.value].join();
+    if (key === this.bled) return false;
+    this.bled = key;
+    writeBlood(named(numbers), { lacquer: shared.lacquer.value, fur: shared.fur.value }, shared);
+    return true;
   }
 
   /** Lights it from where a camera looks. */

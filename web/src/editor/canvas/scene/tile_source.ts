@@ -7,6 +7,7 @@ import type { DrawnFace, ShownFace } from "../draw/drawn_face";
 import { HEAD } from "../draw/overlay_meshes";
 import type { Camera } from "../math/camera";
 import { gazeOf, shows } from "../model/gaze";
+import { complexionOfRecipe } from "../model/recipe_complexion";
 import { boxOf } from "../model/spread";
 import type { ExpressionScene } from "./expression_scene";
 import type { CanvasTile } from "./tile_painter";
@@ -38,12 +39,14 @@ export class TileSource {
     const drawn = member?.drawn;
     if (member === undefined || drawn === undefined) return [];
     const camera = viewports.camera(n, member.bounds);
-    const { shownRecipe, layerPreview, liveEyes, manifest } = store;
+    const { shownRecipe, layerPreview, liveEyes, liveComplexion, manifest } = store;
     const hand = layerPreview.solo.size > 0 && shownRecipe ? handOf(shownRecipe) : liveEyes;
     drawn.look(gazeOf(shownRecipe, hand, manifest as Manifest));
+    const blood = hand === liveEyes ? liveComplexion : (shownRecipe?.complexion ?? []);
+    const bled = drawn.bleed(complexionOfRecipe(shownRecipe, blood, manifest as Manifest));
     const all = { part: camera.box, reach: undefined };
     const changed = editsFace ? all : this.changed(scene, member, drawn, n, camera); // remembered for the next time
-    const { part, reach } = whole ? all : changed;
+    const { part, reach } = whole || bled ? all : changed;
     if (part.width === 0 || part.height === 0) return [];
     const ground = input.over === n && n > 0 ? viewports.hovered : viewports.tile(n);
     return [{ n, drawn, camera, part, reach, ground, version }];
