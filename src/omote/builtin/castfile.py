@@ -12,7 +12,8 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
     ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
-    hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
+    hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, fullness, width,
+                        scalp
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3), drawn/MESH/openness (k,)
 """
 
@@ -37,7 +38,7 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 4
+FORMAT = 5
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 
@@ -90,10 +91,13 @@ def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
 
 def _hair(arrays: Arrays) -> dict[str, HairStyle]:
     names = sorted({name.split("/")[1] for name in arrays if name.startswith("hair/")})
-    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", "width")]
+    numbers = ("width", "scalp")
+    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", *numbers)]
     return {
         name: HairStyle(
-            name, **{what: arrays[f"hair/{name}/{what}"] for what in whats}, width=float(arrays[f"hair/{name}/width"])
+            name,
+            **{what: arrays[f"hair/{name}/{what}"] for what in whats},
+            **{what: float(arrays[f"hair/{name}/{what}"]) for what in numbers},
         )
         for name in names
     }

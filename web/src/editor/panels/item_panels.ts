@@ -12,11 +12,12 @@ import "./exchange_panel";
 import "./eyes_panel";
 import "./history_panel";
 import "./layers_panel";
+import "./look_panel";
 import "./muscles_panel";
 import "./points_panel";
 import "./recipe_panel";
 
-type Tab = "layers" | "muscles" | "points" | "eyes" | "recipe" | "history" | "exchange";
+type Tab = "layers" | "muscles" | "points" | "eyes" | "recipe" | "look" | "history" | "exchange";
 const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
   ["layers", "Layers"],
   ["muscles", "Muscles"],
@@ -27,6 +28,7 @@ const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
 ];
 const FOR_FACES: readonly (readonly [Tab, string])[] = [
   ["recipe", "Recipe"],
+  ["look", "Look"],
   ["history", "History"],
   ["exchange", "Import & export"],
 ];
@@ -39,7 +41,7 @@ const style = css`
   }
   [role="tablist"] {
     display: grid;
-    grid-template-columns: repeat(3, 1fr);
+    grid-template-columns: repeat(auto-fit, minmax(88px, 1fr));
     gap: 2px;
     padding: 6px;
     border-bottom: 1px solid var(--line);
@@ -160,6 +162,7 @@ const PANELS: Readonly<Record<Tab, (context: Context) => unknown>> = {
   points: (context) => html`<omote-points .context=${context}></omote-points>`,
   eyes: (context) => html`<omote-eyes .context=${context}></omote-eyes>`,
   recipe: (context) => html`<omote-recipe .context=${context}></omote-recipe>`,
+  look: (context) => html`<omote-look .context=${context}></omote-look>`,
   history: (context) => html`<omote-history .context=${context}></omote-history>`,
   exchange: (context) => html`<omote-exchange .context=${context}></omote-exchange>`,
 };

@@ -1,6 +1,7 @@
 /** The painted scalp under hair that comes or goes. */
 
-import { MathUtils } from "three";
+import { Color, MathUtils } from "three";
+import type { Look } from "../../link/messages";
 
 /** What a face on air does to the scalp: its weight, and how dark its own scalp is painted, 0..1. */
 export interface ScalpShare {
@@ -8,8 +9,9 @@ export interface ScalpShare {
   readonly scalp: number;
 }
 
-/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to be seen. */
-export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.4);
+/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to
+ * be seen, and little before: a shade on a bald head is a cap. */
+export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0.18, 0.44);
 
 /**
  * How dark the scalp is painted, 0..1. What one face has painted and another has not is stubble: it comes before the hair,
@@ -25,4 +27,41 @@ export function mixScalp(faces: readonly ScalpShare[]): number {
     above -= weight;
   }
   return dark;
+}
+
+/** What a look says of the colour of hair on a mix. */
+export type HairLook = Pick<Look, "hair" | "hair_style" | "skin" | "brow" | "lacquer">;
+
+const bareColours = new WeakMap<HairLook, Color>();
+
+/** The colour under hair that goes, in linear light: of the skin, or of the paint on a mask. */
+function bareColour(look: HairLook): Color {
+  const colour =
+    bareColours.get(look) ?? new Color().setStyle(look.skin).lerp(new Color().setStyle(look.brow), look.lacquer);
+  bareColours.set(look, colour);
+  return colour;
+}
+
+const hairColours = new WeakMap<HairLook, Color>();
+
+function hairColour(look: HairLook): Color {
+  const colour = hairColours.get(look) ?? new Color().setStyle(look.hair);
+  hairColours.set(look, colour);
+  return colour;
+}
+
+/**
+ * Writes the colour of the hair on a mix of looks, by their weights, in linear light: to who wears none it passes into the colour under
+ * it, so that it is seen less and less before it is gone, and no mix is brighter or darker than both its ends.
+ */
+export function mixHairColour(looks: readonly (readonly [HairLook, number])[], into: Color): void {
+  const seen = looks.filter(([, weight]) => weight > 0);
+  const total = seen.reduce((sum, [, weight]) => sum + weight, 0);
+  if (total === 0) return;
+  const isHaired = seen.some(([look]) => look.hair_style !== "");
+  into.setRGB(0, 0, 0);
+  for (const [look, weight] of seen) {
+    const { r, g, b } = isHaired && look.hair_style === "" ? bareColour(look) : hairColour(look);
+    into.setRGB(into.r + (r * weight) / total, into.g + (g * weight) / total, into.b + (b * weight) / total);
+  }
 }
