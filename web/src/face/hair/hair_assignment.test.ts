@@ -57,7 +57,7 @@ describe("the assignment of hair", () => {
     await assignment.complete();
     expect(assignment.settled).toBe(false);
     const grown: number[] = [];
-    for (let frame = 0; frame < 40; frame++) {
+    for (let frame = 0; frame < 20; frame++) {
       assignment.dress(on, 1 / 60, false);
       grown.push(assignment.worn.get("bob")?.grown as number);
     }

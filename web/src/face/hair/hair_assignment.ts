@@ -5,10 +5,10 @@ import type { HairStrands } from "../../link/strands";
 import { rowTriangles } from "../anatomy/topology";
 import { type CarriedStyle, HairBlend } from "./hair_blend";
 import { mixRoots, rootDensity } from "./hair_roots";
-import { drawnStrands, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+import { drawnStrands, mixOffsets, type Offsets, offsetsOn, styleWeights, weightOfLate } from "./hair_strands";
 import { type RadialMap, radialMap } from "./radial_map";
 
-const CATCH_UP = 0.5; // seconds in which a style that came late comes to its weight: its hair grows within a part of them
+const CATCH_UP = 0.25; // seconds in which a style that came late grows in
 
 /** A style as it is worn now. */
 export interface ActiveStyle extends CarriedStyle {
@@ -103,7 +103,7 @@ export class HairAssignment {
       const share = Math.min(1, (this.shares.get(style.name) ?? 0) + (atOnce ? 1 : seconds / CATCH_UP));
       this.shares.set(style.name, weight > 0 ? share : 1); // what comes while nobody wears it needs no easing
       if (weight <= 0) continue;
-      weights.set(style, weight * share);
+      weights.set(style, weight * weightOfLate(share));
       style.scalp = [...wearers].reduce((sum, [face, part]) => sum + (part / weight) * this.scalpOf(face), 0);
     }
     this.shape(here, weights);

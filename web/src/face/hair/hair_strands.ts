@@ -99,15 +99,20 @@ export function drawnStrands({ anchors }: HairStrands, share: number): number {
   return Math.max(1, Math.round(Math.min(anchors.length, Math.max(share * anchors.length, LEAST))));
 }
 
-/** The weight of the faces that have hair with which it is whole, as a mix that is kept wears it; and down to which some of it is
- * left where all others have hair elsewhere, and where they have none: there shorter hair, which is a third style, passes quickly. */
-export const WHOLE_HAIR = 0.5;
-const [LAST_AMONG_HAIR, LAST_AMONG_BALD] = [0.1, 0.34];
+/** The weight of the faces that have hair with which it is whole, and down to which some of it is left. Shorter hair is a third style:
+ * it passes quickly, and late, when the hair has nearly the colour of what is under it. */
+export const WHOLE_HAIR = 0.22;
+const LAST_HAIR = 0.05;
 
-/** How long a strand is, 0..1 of its whole, under the weight of the faces that have hair there: never jumps. `bald`: the share, 0..1,
- * of those that wear none among all others. */
-export const lengthAt = (weight: number, bald = 1): number =>
-  MathUtils.smoothstep(weight, MathUtils.lerp(LAST_AMONG_HAIR, LAST_AMONG_BALD, bald), WHOLE_HAIR);
+/** How long a strand is, 0..1 of its whole, under the weight of the faces that have hair there: never jumps. */
+export const lengthAt = (weight: number): number => MathUtils.smoothstep(weight, LAST_HAIR, WHOLE_HAIR);
+
+/** Of its weight, what a style has that came late, `share` (0..1) of its time after: it grows evenly in most of that time. */
+export const weightOfLate = (share: number): number =>
+  share < MOST
+    ? MathUtils.lerp(LAST_HAIR, WHOLE_HAIR, share / MOST)
+    : MathUtils.lerp(WHOLE_HAIR, 1, (share - MOST) / (1 - MOST));
+const MOST = 0.8;
 
 /** The weight of every style, and of each face in it: of those faces that wear one. */
 export function styleWeights(

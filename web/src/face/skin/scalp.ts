@@ -9,9 +9,8 @@ export interface ScalpShare {
   readonly scalp: number;
 }
 
-/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to
- * be seen, and little before: a shade on a bald head is a cap. */
-export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0.18, 0.44);
+/** How much of the scalp is stubble, 0..1, under the weight of the faces that have it: all, when the first hair is wide enough to be seen. */
+export const stubbleAt = (weight: number): number => MathUtils.smoothstep(weight, 0, 0.2);
 
 /**
  * How dark the scalp is painted, 0..1. What one face has painted and another has not is stubble: it comes before the hair,
@@ -51,8 +50,9 @@ function hairColour(look: HairLook): Color {
 }
 
 /**
- * Writes the colour of the hair on a mix of looks, by their weights, in linear light: to who wears none it passes into the colour under
- * it, so that it is seen less and less before it is gone, and no mix is brighter or darker than both its ends.
+ * Writes the colour of the hair on a mix of looks, by their weights: in roots of linear light, for in proportion to it a tenth of white
+ * hair turns black hair grey, and mixes are brighter than their ends. To who wears none it passes into the colour under it, so that
+ * it is seen less and less before it is gone.
  */
 export function mixHairColour(looks: readonly (readonly [HairLook, number])[], into: Color): void {
   const seen = looks.filter(([, weight]) => weight > 0);
@@ -62,6 +62,8 @@ export function mixHairColour(looks: readonly (readonly [HairLook, number])[], i
   into.setRGB(0, 0, 0);
   for (const [look, weight] of seen) {
     const { r, g, b } = isHaired && look.hair_style === "" ? bareColour(look) : hairColour(look);
-    into.setRGB(into.r + (r * weight) / total, into.g + (g * weight) / total, into.b + (b * weight) / total);
+    const share = weight / total;
+    into.setRGB(into.r + share * Math.sqrt(r), into.g + share * Math.sqrt(g), into.b + share * Math.sqrt(b));
   }
+  into.multiply(into);
 }
