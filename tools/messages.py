@@ -210,7 +210,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "STRETCH": ("How far a face may turn or stretch one piece of a strand of hair, of its own length.", STRETCH),
     "HAIRLINE": ("Radians from straight ahead, and the metres over the eyes where hair begins.", HAIRLINE.tolist()),
     "BROW_LINE": (
-        "The middle line of the character's left brow on the generic head, from nose to temple: x, y, half height, metres.",
+        "The middle line of the left brow on the generic head, from nose to temple: x, y, half height, metres.",
         LINE.tolist(),
     ),
     "BROW_REACH": ("Metres from the mirror plane to the first and to the last hair of a brow.", REACH),

@@ -75,7 +75,8 @@ def face(
     ] = None,
     look: Annotated[str, typer.Option(help="A face of the cast whose colours and hair it gets; else the scan's.")] = "",
     hair: Annotated[
-        str, typer.Option(
+        str,
+        typer.Option(
             help="Its hair: bob, bowl, bun, crop, curls, long, mop, pigtails, pixie, ponytail, quiff, short, swept, "
             "thin, waves, wreath or none; else the look's."
         ),

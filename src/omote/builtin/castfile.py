@@ -91,13 +91,13 @@ def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
 
 def _hair(arrays: Arrays) -> dict[str, HairStyle]:
     names = sorted({name.split("/")[1] for name in arrays if name.startswith("hair/")})
-    numbers = ("width", "scalp")
-    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", *numbers)]
+    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", "width", "scalp")]
     return {
         name: HairStyle(
             name,
             **{what: arrays[f"hair/{name}/{what}"] for what in whats},
-            **{what: float(arrays[f"hair/{name}/{what}"]) for what in numbers},
+            width=float(arrays[f"hair/{name}/width"]),
+            scalp=float(arrays[f"hair/{name}/scalp"]),
         )
         for name in names
     }

@@ -23,8 +23,9 @@ class HairStyle:
 
     points (n, k, 3) metres;  rows (n, k, LINKS) and weights (n, k, LINKS): the skin's vertices that carry each place;
     anchors (n,): the vertex at each root, whose expressions the whole strand follows;  facing (n, k, 3): unit vectors
-    away from the head;  light (n, k): open sky, 0..1;  fullness (n,): of `width`, 0..1: hair is finer towards its edges;
-    width: of a strand's ribbon, metres;  scalp: the shade on the skin that goes with it, 0..1. The first few strands cover the head as evenly as all of them do. Raises ValueError on arrays that do not belong together.
+    away from the head;  light (n, k): open sky, 0..1;  fullness (n,): of `width`, 0..1: hair is finer towards its
+    edges;  width: of a strand's ribbon, metres;  scalp: the shade on the skin that goes with it, 0..1. The first few
+    strands cover the head as evenly as all of them do. Raises ValueError on arrays that do not belong together.
     """
 
     name: str

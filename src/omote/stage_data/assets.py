@@ -74,7 +74,10 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
-    combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light + asset.fullness)}" for name, asset in hair.items()}
+    combed = {
+        name: f"/assets/{content_name(asset.points + asset.rows + asset.light + asset.fullness)}"
+        for name, asset in hair.items()
+    }
     starts = first_rows(cast)
     manifest = Manifest(
         version=PROTOCOL_VERSION,

@@ -141,7 +141,9 @@ def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
     outward = field.outward(roots)
     points = roots - SUNK * outward
     combed = _unit(groom.comb(Strands(points, roots, np.zeros(len(roots)), chance)))
-    heading = _unit(outward + LEAN * (combed - np.minimum((combed * outward).sum(axis=1), 0.0)[:, None] * outward - outward))
+    heading = _unit(
+        outward + LEAN * (combed - np.minimum((combed * outward).sum(axis=1), 0.0)[:, None] * outward - outward)
+    )
     course = [points]
     ends = np.full(len(roots), -1)
     downy = _downy(groom, roots, chance[:, 3])

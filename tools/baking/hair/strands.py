@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
@@ -75,7 +76,10 @@ def _all_strands(groom: Groom, field: Field, roots: Floats) -> tuple[Floats, Flo
     if not groom.bound:
         return grown, *own
     bound = np.concatenate(
-        [one.wind(field.outward(one.foot[None])[0], STATIONS, seed=groom.seed + at) for at, one in enumerate(groom.bound)]
+        [
+            one.wind(field.outward(one.foot[None])[0], STATIONS, seed=groom.seed + at)
+            for at, one in enumerate(groom.bound)
+        ]
     )
     bound = bound[np.random.default_rng(groom.seed).permutation(len(bound))]
     place = np.linspace(0, len(grown), len(bound), endpoint=False).astype(int)
@@ -97,7 +101,7 @@ def find_anchors(points: Values, skin: Values, allowed: Mask, /) -> tuple[Indice
     return usable[found[..., :LINKS]].astype(np.int32), weights / weights.sum(axis=-1, keepdims=True)
 
 
-def _counted(weights: Values) -> Floats:
+def _counted(weights: Values) -> NDArray[np.float32]:
     """Weights (n, k, LINKS) as whole numbers of `SHARES` that sum to one, each the nearest but for the largest."""
     counts = np.rint(SHARES * weights)
     largest = weights.argmax(axis=-1)[..., None]

@@ -186,9 +186,7 @@ def _pixie_cut(strands: Strands) -> NDArray[np.bool_]:
     """A fringe to the brows, tapered to ears and nape."""
     length = np.interp(strands.roots[:, 1], [-0.06, 0.0, 0.05, 0.09], [0.012, 0.024, 0.046, 0.072])
     low = np.where(strands.points[:, 2] > 0.1, 0.034 + 0.14 * strands.points[:, 0], -0.2)
-    return np.asarray(
-        (strands.grown > length * (0.75 + 0.5 * strands.chance[:, 2])) | (strands.points[:, 1] < low)
-    )
+    return np.asarray((strands.grown > length * (0.75 + 0.5 * strands.chance[:, 2])) | (strands.points[:, 1] < low))
 
 
 def _quiff_comb(strands: Strands) -> Floats:
@@ -258,7 +256,8 @@ def _wreath_cut(strands: Strands) -> NDArray[np.bool_]:
 GROOMS: Mapping[str, Groom] = {
     "bob": Groom(ADULT, _bob_comb, _bob_cut, layers=(0.003, 0.013), blur=0.007, count=1000, locks=0.2, sparse=0.004),
     "short": Groom(
-        ADULT, _short_comb, _short_cut, layers=(0.002, 0.012), rise=0.025, hold=0.9, closing=0.0, count=1300, width=0.0052,
+        ADULT, _short_comb, _short_cut, layers=(0.002, 0.012), rise=0.025, hold=0.9, closing=0.0, count=1300,
+        width=0.0052,
     ),
     "swept": Groom(PEAKED, _back_comb, _back_cut, layers=(0.002, 0.007), hold=1.0, free=-0.2, closing=0.004),
     "thin": Groom(
@@ -270,7 +269,8 @@ GROOMS: Mapping[str, Groom] = {
         width=0.0045, count=1400, locks=0.45,
     ),
     "bun": Groom(
-        TIED, _up_comb, _up_cut, layers=(0.002, 0.006), hold=1.0, free=-0.2, bound=(Coil(KNOT, radius=0.027),), count=850,
+        TIED, _up_comb, _up_cut, layers=(0.002, 0.006), hold=1.0, free=-0.2, bound=(Coil(KNOT, radius=0.027),),
+        count=850,
     ),
     "crop": Groom(
         ADULT, _crop_comb, _crop_cut, layers=(0.02, 0.02), rise=0.001, closing=0.0, hold=0.0, stiffness=0.3,
@@ -299,7 +299,9 @@ GROOMS: Mapping[str, Groom] = {
         TIED, _pigtail_comb, _pigtail_cut, layers=(0.002, 0.007), hold=1.0, free=-0.2, count=900,
         bound=tuple(Tail(foot, radius=0.021, length=0.13, count=200, arc=0.036) for foot in PIGTAILS),
     ),
-    "bowl": Groom(FRINGED, _bob_comb, _bowl_cut, layers=(0.003, 0.012), blur=0.007, count=1100, locks=0.25, sparse=0.004),
+    "bowl": Groom(
+        FRINGED, _bob_comb, _bowl_cut, layers=(0.003, 0.012), blur=0.007, count=1100, locks=0.25, sparse=0.004,
+    ),
     "waves": Groom(
         TIED, _waves_comb, _waves_cut, layers=(0.006, 0.024), hold=0.75, closing=0.006, count=1200, width=0.0045,
         wave=(0.004, 0.03), locks=0.7,

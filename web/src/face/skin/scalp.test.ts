@@ -53,7 +53,7 @@ describe("the scalp", () => {
 });
 
 describe("the colour of hair", () => {
-  const black: HairLook = { hair: "#000000", hair_style: "bob", skin: "#ffffff", brow: "#000000", lacquer: 0 };
+  const black: HairLook = { hair: "#000000", hair_style: "bob", skin: "#ffffff", brow: "#000000", fur: 0, lacquer: 0 };
   const bald: HairLook = { ...black, hair: "#ff0000", hair_style: "" };
   const mix = (looks: readonly (readonly [HairLook, number])[]): number[] => {
     const into = new Color(9, 9, 9);
@@ -72,11 +72,11 @@ describe("the colour of hair", () => {
     ).toEqual([0.0625, 0.0625, 0.0625]);
   });
 
-  it("passes into the skin of who is bald, and into the paint of a mask", () => {
+  it("passes into the fur of an animal, and into the paint of a mask", () => {
     expect(
       mix([
         [black, 0.5],
-        [bald, 0.5],
+        [{ ...bald, fur: 1 }, 0.5],
       ]),
     ).toEqual([0.25, 0.25, 0.25]);
     expect(

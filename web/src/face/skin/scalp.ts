@@ -29,14 +29,18 @@ export function mixScalp(faces: readonly ScalpShare[]): number {
 }
 
 /** What a look says of the colour of hair on a mix. */
-export type HairLook = Pick<Look, "hair" | "hair_style" | "skin" | "brow" | "lacquer">;
+export type HairLook = Pick<Look, "hair" | "hair_style" | "skin" | "brow" | "fur" | "lacquer">;
 
 const bareColours = new WeakMap<HairLook, Color>();
 
-/** The colour under hair that goes, in linear light: of the skin, or of the paint on a mask. */
+/** The colour that hair has where it goes, in linear light: of the fur, or of the paint on a mask; else what the face's own would have. */
 function bareColour(look: HairLook): Color {
   const colour =
-    bareColours.get(look) ?? new Color().setStyle(look.skin).lerp(new Color().setStyle(look.brow), look.lacquer);
+    bareColours.get(look) ??
+    new Color()
+      .setStyle(look.hair)
+      .lerp(new Color().setStyle(look.skin), look.fur)
+      .lerp(new Color().setStyle(look.brow), look.lacquer);
   bareColours.set(look, colour);
   return colour;
 }
