@@ -106,9 +106,7 @@ async def flashes(wall: Wall, pairs: Sequence[tuple[str, str]], level: str) -> b
         if outside > OUTSIDE:
             told = " ".join(f"{value / seen[0]:.3f}" for value in seen)
             print(f"{level}: {one} to {other} leaves its ends by {100 * outside:.1f} %: {told}")
-    print(
-        f"{level}: {len(pairs)} pairs leave the luminance of their ends by {100 * worst:.1f} % (bar {100 * OUTSIDE:.0f})"
-    )
+    print(f"{level}: {len(pairs)} pairs leave the luminance of ends by {100 * worst:.1f} % (bar {100 * OUTSIDE:.0f})")
     return worst <= OUTSIDE
 
 

@@ -10,6 +10,9 @@ import type { FaceDocument, Look, Manifest } from "../../link/messages";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
 
+/** Yaw, pitch, roll: how a head is turned to show its hair behind too, radians. */
+const HALF_LEFT = [0.75, 0, 0] as [number, number, number];
+
 /** Milliseconds between two looks at whether the graphics processor has drawn. */
 const LOOK = 8;
 
@@ -39,7 +42,8 @@ export class ThumbnailRenderer {
     await ensureFace(view.library, face);
     view.shot = hair === undefined ? THUMBNAIL : PORTRAIT;
     view.resize(width, height);
-    await view.present(restPose(hair === undefined ? face : wearing(view.library, face, hair), expression));
+    const pose = restPose(hair === undefined ? face : wearing(view.library, face, hair), expression);
+    await view.present(hair === undefined ? pose : { ...pose, head: HALF_LEFT });
     const [picture] = await Promise.all([capture(view), finished(view.context)]);
     return picture;
   }

@@ -1,6 +1,6 @@
 /** Shaders of the brows. */
 
-import { FRAGMENT_HEAD, SHADED_LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
+import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 
 /**
  * Brows: fine ribbons whose roots and tips lie on the blended skin, so that every face and expression moves them as it
@@ -12,8 +12,7 @@ in vec3 rootRows, rootShares, tipRows, tipShares;
 uniform float brows; // 0 none, 1 bushy
 uniform float pixel; // metres a pixel is wide, one metre away
 uniform vec3 brow;
-#define SPIN hair.w
-${SHADED_LIGHTS}
+${LIGHTS}
 out vec2 vAcross; // side, what is left of it where a pixel is wider
 out float vAlong;
 out vec3 vLight;
@@ -47,7 +46,7 @@ void main() {
   vAlong = t;
 
   view = normalize(view);
-  float sunlit = clamp((dot(facing, KEY) + 0.3) / 1.3, 0.0, 1.0) * shadow(point, facing);
+  float sunlit = clamp((dot(facing, KEY) + 0.3) / 1.3, 0.0, 1.0); // cast shadows cost more here than all else, and hardly show
   vec3 diffuse = KEY_LIGHT * sunlit + FILL_LIGHT * clamp(dot(facing, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(facing);
   float across = dot(along, normalize(KEY + view));
   float sheen = 1.0 - across * across;

@@ -9,7 +9,7 @@ import { BROW_FRAGMENT, BROW_VERTEX } from "./brow_shaders";
 import { hashed } from "./lashes";
 
 /** Hairs of one brow, and places along each. */
-const [HAIRS, PLACES] = [420, 4];
+const [HAIRS, PLACES] = [420, 3];
 
 /** A place on the skin: three rows, and how much of each. */
 interface SkinPlace {
