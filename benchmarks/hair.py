@@ -10,7 +10,7 @@ and turned.
 * The peer is the former way, each style grown beside the other: the pages of that commit, built and measured in the
   same run, by turns, with the milliseconds of a frame (skipped where git has no such commit).
 
-`--levels lowest,high` for some levels, `--random N` for other than eight pairs.
+`--levels lowest,high` for some levels, `--random N` for other than eight pairs, `--size 1920x1080` for a large screen.
 """
 
 from __future__ import annotations
@@ -126,8 +126,9 @@ def mixes(cast: Cast, pairs: int, seed: int) -> dict[str, list[Mix]]:
 class Pages:
     """Pages of one way of drawing hair, at every level, and what was found in their pictures."""
 
-    def __init__(self, address: str, browser: Browser) -> None:
+    def __init__(self, address: str, browser: Browser, size: tuple[int, int]) -> None:
         self._address = address
+        self._size = size
         self._browser = browser
         self._known: dict[tuple[str, str], Stray] = {}
         self._open: dict[str, Page] = {}
@@ -151,7 +152,7 @@ class Pages:
         return stray(np.frombuffer(base64.b64decode(text), np.uint8).reshape(height, width, 4))
 
     async def _opened(self, level: str) -> Page:
-        page = await self._browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
+        page = await self._browser.new_page(viewport={"width": self._size[0], "height": self._size[1]})
         page.set_default_timeout(600_000)
         await page.goto(f"{self._address}/stage?quality={level}&light=flat&transparent")
         await page.wait_for_function(OPEN)
@@ -197,7 +198,9 @@ async def compare(level: str, kind: str, among: Sequence[Mix], now: Pages, forme
     return Row(level, kind, mean(rows["now"]), mean(rows["former"]) if former else None, mean(rows["ends"]))
 
 
-async def measure(former: dict[str, static_pages.Page] | None, levels: Sequence[str], pairs: int, seed: int) -> bool:
+async def measure(
+    former: dict[str, static_pages.Page] | None, levels: Sequence[str], pairs: int, seed: int, size: tuple[int, int]
+) -> bool:
     """Everything a browser is needed for; whether all bars hold."""
     path = find_browser()
     if path is None:
@@ -210,8 +213,8 @@ async def measure(former: dict[str, static_pages.Page] | None, levels: Sequence[
             serve_pages(documents[0], static_pages.read_pages()) as ours,
             serve_pages(documents[1], former or static_pages.read_pages()) as theirs,
         ):
-            now = Pages(ours, browser)
-            then = Pages(theirs, browser) if former else None
+            now = Pages(ours, browser, size)
+            then = Pages(theirs, browser, size) if former else None
             chosen = mixes(cast, pairs, seed).items()
             rows = [await compare(level, kind, among, now, then) for level in levels for kind, among in chosen]
             await now.close()
@@ -265,11 +268,14 @@ def main() -> int:
     parser.add_argument("--levels", default=",".join(LEVELS))
     parser.add_argument("--random", type=int, default=8)
     parser.add_argument("--seed", type=int, default=int(np.random.default_rng().integers(1_000_000)))
+    parser.add_argument("--size", default=f"{WIDTH}x{HEIGHT}")
     options = parser.parse_args()
+    width, height = map(int, options.size.split("x"))
     print(f"seed {options.seed}")
     with tempfile.TemporaryDirectory() as folder:
         former = build_pages(FORMER, Path(folder))
-        held = asyncio.run(measure(former, options.levels.split(","), options.random, options.seed))
+        levels = options.levels.split(",")
+        held = asyncio.run(measure(former, levels, options.random, options.seed, (width, height)))
     return 0 if held else 1
 
 

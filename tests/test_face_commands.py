@@ -194,7 +194,7 @@ def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[Doubt]) -> N
         (["a.ply", "b.ply", "-o", "x.omote", "--name", "Ann"], "is of one face, and 2 scans are given"),
         (["a.ply", "b.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "landmarks on the line are of one scan"),
         (["a.ply", "-o", "b.ply.new"], "b.ply.new does not end as a show file does; write -o b.ply.omote"),
-        (["a.ply", "-o", "x.omote", "--hair", "wig"], "there is no hair 'wig'; choose one of bob, bun, crop"),
+        (["a.ply", "-o", "x.omote", "--hair", "wig"], "there is no hair 'wig'; choose one of bob, bowl, bun, crop"),
         (["a.ply", "--report", "r", "--expressions", "neutral,grin"], "grin"),
         (["gone.ply", "-o", "x.omote"], "there is no file gone.ply"),
         (["a.ply", "-o", "x.omote", "--landmarks", "nose=1,2,3"], "is no landmark; expected one of"),

@@ -64,6 +64,7 @@ from omote.show.declaration import Message
 from omote.show.messages import CLIENT_MESSAGES, LINK_PATH, PROTOCOL_VERSION, SERVER_MESSAGES, STATE_RATE, STRUCTS
 from omote.show.objects.hand.setups import LONGEST_SETUP_NAME
 from omote.show.objects.stages import Level
+from tools.baking.skin.brows import LINE, REACH
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
@@ -225,6 +226,11 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "SKIN_LAYERS": ("The layers of the skin's picture, from the top.", SKIN_LAYERS),
     "STRETCH": ("How far a face may turn or stretch one piece of a strand of hair, of its own length.", STRETCH),
     "HAIRLINE": ("Radians from straight ahead, and the metres over the eyes where hair begins.", HAIRLINE.tolist()),
+    "BROW_LINE": (
+        "The middle line of the left brow on the generic head, from nose to temple: x, y, half height, metres.",
+        LINE.tolist(),
+    ),
+    "BROW_REACH": ("Metres from the mirror plane to the first and to the last hair of a brow.", REACH),
     "ARCH": ("Metres from the front teeth back to the middle of the dental arch.", ARCH),
     "TOOTH_REACH": ("Radians along the arch within which vertices belong to one tooth's height.", TOOTH_REACH),
     "ARCH_DEPTH": ("Metres behind the front teeth that the teeth's texture spans.", ARCH_DEPTH),

@@ -75,7 +75,11 @@ def face(
     ] = None,
     look: Annotated[str, typer.Option(help="A face of the cast whose colours and hair it gets; else the scan's.")] = "",
     hair: Annotated[
-        str, typer.Option(help="Its hair: bob, bun, crop, mop, short, swept, thin or none; else the look's.")
+        str,
+        typer.Option(
+            help="Its hair: bob, bowl, bun, crop, curls, long, mop, pigtails, pixie, ponytail, quiff, short, swept, "
+            "thin, waves, wreath or none; else the look's."
+        ),
     ] = "",
     shut: Annotated[
         bool | None, typer.Option("--shut/--open", help="Whether the eyes of the scans are shut; else it is seen.")

@@ -251,6 +251,30 @@ def test_arrows_move_what_is_chosen_and_the_panel_puts_it_back(editor: Editor) -
     assert np.allclose(positions(page, "At rest"), first, atol=1e-6)
 
 
+def test_a_look_is_chosen_by_pictures_kept_in_the_recipe_and_left_again(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Ann")
+    page.locator("[data-tab=look]").click()
+    panel = page.locator("omote-look")
+    expect(panel.locator(".tile")).to_have_count(len(load_cast().hair) + 1)
+    expect(panel.locator("[data-hair=bob]")).to_have_attribute("aria-pressed", "true")  # as kaori brings it
+    expect(panel.locator("[data-hair=crop] canvas")).to_have_attribute("data-drawn", re.compile("with crop$"))
+    panel.locator("[data-hair=crop]").click()
+    wait_for(page, f"bench.face.look.hair_style === 'crop' && bench.face.look.scalp === 1 && {SETTLED}")
+    panel.get_by_label("Colour of the hair: red", exact=True).click()
+    panel.locator("[data-trait=freckles] input[type=text]").fill("80")
+    panel.locator("[data-trait=freckles] input[type=text]").press("Enter")
+    wait_for(page, f"bench.face.look.freckles === 0.8 && bench.face.look.hair === '#8f3b1e' && {SETTLED}")
+    save(page)
+    kept = "bench.library.manifest.faces.find((face) => face.label === 'Ann')?.look"
+    wait_for(page, f"{kept}?.hair_style === 'crop' && {kept}.hair === '#8f3b1e'")
+    panel.locator("[data-hair=none]").click()
+    wait_for(page, f"bench.face.look.hair_style === '' && bench.face.look.scalp === 0 && {SETTLED}")
+    panel.get_by_role("button", name="As its faces have it").first.click()
+    wait_for(page, f"!('hair_style' in bench.face.look) && bench.face.look.freckles === 0.8 && {SETTLED}")
+    expect(panel.locator("[data-hair=bob]")).to_have_attribute("aria-pressed", "true")
+
+
 def set_gain(page: Page, region: str, value: float) -> None:
     """Types a gain into its field and waits until the server has baked it."""
     undo = int(bench(page, "draft.undo"))

@@ -23,5 +23,6 @@ def tuft() -> HairStyle:
         anchors=rows[:, 0, 0],
         facing=np.tile(np.array([0.0, 1.0, 0.0], np.float32), (5, 3, 1)),
         light=np.linspace(0.0, 1.0, 15, dtype=np.float32).reshape(5, 3),
+        fullness=np.ones(5, np.float32),
         width=0.004,
     )

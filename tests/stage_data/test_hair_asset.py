@@ -20,6 +20,7 @@ def test_strands_come_back_as_they_are() -> None:
     assert np.array_equal(np.frombuffer(asset.rows, "<u4").reshape(style.rows.shape), style.rows)
     assert np.array_equal(np.frombuffer(asset.anchors, "<u4"), style.anchors)
     assert np.frombuffer(asset.light, "u1").reshape(style.light.shape) / 255 == pytest.approx(style.light, abs=0.003)
+    assert np.frombuffer(asset.fullness, "u1") / 255 == pytest.approx(style.fullness, abs=0.003)
     assert (asset.stations, asset.links, asset.width) == (style.points.shape[1], style.rows.shape[2], style.width)
 
 

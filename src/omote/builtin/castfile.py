@@ -14,7 +14,8 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
     complexion (E, 6)   blood and tears: omote.model.space.complexion
     folding (V,)        of 255, how far expressions press the skin together (omote.model.folding); 0 where none folds
-    hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, width
+    hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, fullness, width,
+                        scalp
     drawn/MESH/source (k,), drawn/MESH/uv (k, 2), drawn/MESH/triangles (t, 3), drawn/MESH/openness (k,)
 """
 
@@ -94,10 +95,13 @@ def meshes_of(arrays: Arrays) -> tuple[BakedMesh, ...]:
 
 def _hair(arrays: Arrays) -> dict[str, HairStyle]:
     names = sorted({name.split("/")[1] for name in arrays if name.startswith("hair/")})
-    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", "width")]
+    whats = [what.name for what in fields(HairStyle) if what.name not in ("name", "width", "scalp")]
     return {
         name: HairStyle(
-            name, **{what: arrays[f"hair/{name}/{what}"] for what in whats}, width=float(arrays[f"hair/{name}/width"])
+            name,
+            **{what: arrays[f"hair/{name}/{what}"] for what in whats},
+            width=float(arrays[f"hair/{name}/width"]),
+            scalp=float(arrays[f"hair/{name}/scalp"]),
         )
         for name in names
     }

@@ -61,7 +61,7 @@ def hair_shape(
     count, places = strands.shape[:2]
     along = np.gradient(strands, axis=1)
     facing = style.facing.astype(np.float64)
-    side = _unit(np.cross(along, facing)) * (0.5 * style.width)
+    side = _unit(np.cross(along, facing)) * (0.5 * style.width * style.fullness[:, None, None])
     points = np.stack([strands - side, strands + side], axis=2).reshape(-1, 3)
     normals = np.repeat(_unit(np.cross(side, along)).reshape(-1, 3), 2, axis=0)
     shape = (count, places, 2)

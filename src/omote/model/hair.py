@@ -23,8 +23,9 @@ class HairStyle:
 
     points (n, k, 3) metres;  rows (n, k, LINKS) and weights (n, k, LINKS): the skin's vertices that carry each place;
     anchors (n,): the vertex at each root, whose expressions the whole strand follows;  facing (n, k, 3): unit vectors
-    away from the head;  light (n, k): open sky, 0..1;  width: of a strand's ribbon, metres. The first few strands cover
-    the head as evenly as all of them do. Raises ValueError on arrays that do not belong together.
+    away from the head;  light (n, k): open sky, 0..1;  fullness (n,): of `width`, 0..1: hair is finer towards its
+    edges;  width: of a strand's ribbon, metres;  scalp: the shade on the skin that goes with it, 0..1. The first few
+    strands cover the head as evenly as all of them do. Raises ValueError on arrays that do not belong together.
     """
 
     name: str
@@ -34,7 +35,9 @@ class HairStyle:
     anchors: Indices
     facing: Floats
     light: Floats
+    fullness: Floats
     width: float
+    scalp: float = 1.0
 
     def __post_init__(self) -> None:
         count, places = self.points.shape[:2]
@@ -45,6 +48,7 @@ class HairStyle:
             "anchors": (count,),
             "facing": (count, places, 3),
             "light": (count, places),
+            "fullness": (count,),
         }
         for name, shape in expected.items():
             values = getattr(self, name)
@@ -57,8 +61,8 @@ class HairStyle:
     @property
     def arrays(self) -> tuple[NDArray[Any], ...]:
         """All arrays of a style."""
-        width = np.array(self.width)
-        return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, width
+        numbers = np.array([self.width, self.scalp])
+        return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, self.fullness, numbers
 
 
 def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Values:

@@ -113,10 +113,11 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
 
 
 class HairDocument(msgspec.Struct, frozen=True):
-    """A hair style: where its strands are."""
+    """A hair style: where its strands are, and the shade on the skin that goes with it, 0..1."""
 
     name: str
     url: str
+    scalp: float
 
 
 class CrossingDocument(msgspec.Struct, frozen=True):
@@ -228,7 +229,7 @@ class HairAsset(msgspec.Struct, frozen=True):
 
     `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
     that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
-    (n, stations) u8, 255 is one; `width` metres.
+    (n, stations) u8, 255 is one; `fullness` (n,) u8, 255 is one: of `width`, metres.
     """
 
     stations: int
@@ -241,6 +242,7 @@ class HairAsset(msgspec.Struct, frozen=True):
     anchors: bytes
     facing: bytes
     light: bytes
+    fullness: bytes
 
 
 class AllowanceDocument(msgspec.Struct, frozen=True):

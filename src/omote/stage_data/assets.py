@@ -74,7 +74,10 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
-    combed = {name: f"/assets/{content_name(asset.points + asset.rows + asset.light)}" for name, asset in hair.items()}
+    combed = {
+        name: f"/assets/{content_name(asset.points + asset.rows + asset.light + asset.fullness)}"
+        for name, asset in hair.items()
+    }
     starts = first_rows(cast)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
@@ -88,7 +91,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
         expressions=_built_in_expressions(cast),
         lights=[LightDocument(name, light.label) for name, light in LIGHTS.items()],
-        hair=[HairDocument(name, url) for name, url in combed.items()],
+        hair=[HairDocument(name, url, cast.hair[name].scalp) for name, url in combed.items()],
         correctives=correctives_document(cast, starts),
         regions=region_document(cast.space),
         folding=b"" if cast.folding is None else le_bytes(cast.folding, "u1"),
@@ -187,6 +190,7 @@ def hair_asset(style: HairStyle) -> HairAsset:
         anchors=le_bytes(style.anchors, "<u4"),
         facing=le_bytes(np.rint(style.facing * 127), "i1"),
         light=le_bytes(np.rint(style.light * 255), "u1"),
+        fullness=le_bytes(np.rint(style.fullness * 255), "u1"),
     )
 
 

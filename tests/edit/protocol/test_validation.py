@@ -25,7 +25,7 @@ from omote.edit.protocol.validation import (
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe
 from omote.show.validation import Refusal
 
-BOUNDS = Bounds(np.arange(1000) < 900, frozenset({"smiler", "frowner"}))
+BOUNDS = Bounds(np.arange(1000) < 900, frozenset({"smiler", "frowner"}), frozenset({"bob", "crop"}))
 REST = (0.0, 0.0, 1.0)
 GOOD = Recipe(
     net=(0, 5, 7),
@@ -42,6 +42,8 @@ STRANGE = [math.nan, math.inf, -math.inf, 1e308]
 def test_good_recipes_pass() -> None:
     check_recipe(GOOD, BOUNDS)
     check_recipe(FACE, BOUNDS)
+    for style in ("", "bob", "crop"):
+        check_recipe(replace(FACE, look={"hair_style": style, "hair": "#302010", "freckles": 0.4}), BOUNDS)
 
 
 @given(st.lists(st.tuples(*[st.floats(q.low, q.high) for q in (DTHETA, DH, RATIO)]), min_size=3, max_size=9))
@@ -94,6 +96,13 @@ def test_expressions_that_say_what_they_must_not_are_refused(change: dict[str, A
         ({"gains": (GainRow("mouth", 1.0, "\n"),)}, "the expression of the gain of mouth is named"),
         ({"gains": (GainRow("mouth", 1.0),) * 401}, "401 gains"),
         *[({"gains": (GainRow("mouth", x),)}, "the gain of mouth is") for x in (*STRANGE, 4.1)],
+        *[({"look": {"freckles": x}}, "freckles of a look is") for x in (*STRANGE, 1.1, "many")],
+        ({"look": {"hair": "brown"}}, "hair of a look is 'brown'; expected a colour"),
+        ({"look": {"hair": 0.5}}, "hair of a look is 0.5; expected a colour"),
+        ({"look": {"hair_style": "beehive"}}, "no hair style 'beehive': choose from bob, crop"),
+        ({"look": {"hair_style": 1.0}}, "hair_style of a look is 1.0; expected the name of a style"),
+        ({"look": {"albedo": "x"}}, "a look has no 'albedo' to choose"),
+        ({"look": {"beard": 1.0}}, "a look has no 'beard' to choose"),
         *[({"moves": ((x, 0.0, 0.0),) * 2}, "a handle's move") for x in (*STRANGE, 0.6)],
     ],
 )

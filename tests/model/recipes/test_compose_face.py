@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -177,6 +178,8 @@ def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
         (FaceRecipe({"kaori": 1.0}, amount=2 * MOST_AMOUNT), "caricature's amount is 6.0"),
         (FaceRecipe({"kaori": 1.0}, amount=float("nan")), "caricature's amount is nan"),
         (FaceRecipe({"kaori": 1.0}, gains=(GainRow("tail", 1.0),)), "a gain is of region 'tail'"),
+        (FaceRecipe({"kaori": 1.0}, look={"tail": 1.0}), "no 'tail' to choose; expected age, blush"),
+        (FaceRecipe({"kaori": 1.0}, look={"lashes": float("nan")}), "lashes of a look is nan"),
         (FaceRecipe({"kaori": 1.0}, points=(1,)), "moves of handles has shape"),
         (FaceRecipe({"kaori": 1.0}, moves=((0.0, 0.0, 0.0),)), "expected a list of rows"),
         (FaceRecipe({"kaori": 1.0}, points=(-4,), moves=((0.0, 0.0, 0.0),)), "stands on row -4"),
@@ -200,6 +203,33 @@ def test_gains_are_those_of_the_faces_and_of_the_recipe_before_all() -> None:
     assert gains(FaceRecipe({"kaori": 1.0}, {"ears": "dog"}, 1.2)) == (Gain("ears", 1.0),)
     rows = (GainRow("mouth", 1.0), GainRow("ears", 3.0, "joy"))
     assert gains(FaceRecipe({"dog": 1.0}, gains=rows)) == (Gain("ears", 1.0), Gain("ears", 3.0, "joy"))
+
+
+@given(one=names, other=names, chosen=st.fixed_dictionaries(
+    {}, optional={
+        "hair_style": st.sampled_from(["", *CAST.hair]), "hair": st.just("#102030"), "lip": st.just("#a03040"),
+        "freckles": st.floats(0.0, 1.0), "scalp": st.floats(0.0, 1.0),
+    }
+))  # fmt: skip
+@settings(max_examples=20)
+def test_what_is_chosen_of_a_look_goes_before_what_its_faces_bring(
+    one: str, other: str, chosen: dict[str, str | float]
+) -> None:
+    recipe = FaceRecipe({one: 1.0}, {"mouth": other, "skull": other})
+    brought = vars(made(recipe).look)
+    found = vars(made(msgspec.structs.replace(recipe, look=chosen)).look)
+    for name, value in found.items():
+        if name == "scalp" and name not in chosen and found["hair_style"] != brought["hair_style"]:
+            assert value == (1.0 if found["hair_style"] else 0.0)  # another style comes with its own
+        else:
+            assert value == chosen.get(name, brought[name]), name
+
+
+@pytest.mark.parametrize("side", ["kaori", "old"])
+def test_half_of_two_faces_takes_the_hair_of_either(side: str) -> None:
+    style = CAST.looks[side].hair_style
+    half = made(FaceRecipe({"kaori": 0.5, "old": 0.5}, look={"hair_style": style}))
+    assert half.look.hair_style == style
 
 
 def test_weights_that_were_rounded_on_air_are_scaled() -> None:

@@ -1,4 +1,4 @@
-"""A coil of hair that is put up: strands wound around a ball on the head."""
+"""Hair that is bound: a coil wound around a ball on the head, and a tail that falls."""
 
 from __future__ import annotations
 
@@ -39,6 +39,37 @@ class Coil:
         )
         size = self.radius * (0.9 + 0.12 * chance[:, :1, None])
         return np.asarray(self.foot + (1.0 - SUNK) * self.radius * outward + size * ball)
+
+
+@dataclass(frozen=True, eq=False)
+class Tail:
+    """`count` strands bound at `foot` (3,) in a bundle of `radius` metres, which fall `length` metres at most."""
+
+    foot: Floats
+    radius: float
+    length: float
+    count: int = 220
+    arc: float = 0.028  # metres that it stands off before it falls
+
+    def wind(self, outward: Floats, stations: int, *, seed: int) -> Floats:
+        """The strands (count, stations, 3); outward (3,): away from the head at its foot.
+
+        seed: of its small irregularities.
+        """
+        chance = np.random.default_rng(seed).uniform(size=(self.count, 4))
+        along = np.linspace(0.0, 1.0, stations)
+        across, aside = _upright(outward)
+        angle = 2 * np.pi * chance[:, :1]
+        bundle = self.radius * np.sqrt(chance[:, 1:2]) * (1.0 + 0.9 * np.sin(np.pi * along**0.7) - 0.45 * along)
+        off = self.arc * (1.0 - np.exp(-7.0 * along)) * (1.0 + 0.25 * (chance[:, 2:3] - 0.5))
+        fall = self.length * (0.72 + 0.28 * chance[:, 3:]) * along * np.clip(along / 0.35, 0.25, 1.0)
+        return np.asarray(
+            self.foot
+            + (bundle * np.cos(angle))[..., None] * across
+            + (bundle * np.sin(angle))[..., None] * aside
+            + off[..., None] * outward
+            + fall[..., None] * np.array([0.0, -1.0, 0.0])
+        )
 
 
 def _upright(outward: Floats) -> tuple[Floats, Floats]:

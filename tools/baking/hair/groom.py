@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from tools.baking.hair.coil import Coil
+from tools.baking.hair.coil import Coil, Tail
 from tools.baking.hair.growth_field import Field
 from tools.baking.heads.basemesh import Floats, Ints
 
@@ -20,6 +20,11 @@ CANDIDATES = 8000  # places on the scalp from which the roots are chosen
 LOCK = 7  # strands in a lock
 APART = 0.04  # metres from its lock's leader beyond which a strand goes its own way
 SUNK = 0.001  # metres that a root lies under the skin
+LEAN = 0.5  # of the way from straight out of the skin to where it is combed, that a hair grows at first
+FLAT = 0.12  # of its height over the skin, that hair has which grows at its edge
+INWARD = 0.024  # metres within the edge, from where on hair lies as high as the style says
+FINEST = 0.2  # of its width, that hair has at the hairline's edge
+DOWNY = (0.006, 0.014)  # metres: how long the finest hair at the edge grows
 
 Angles = Sequence[tuple[float, float]]
 
@@ -48,8 +53,10 @@ class Groom:
     hairline: (angle from straight ahead, metres over the eyes) pairs, hair grows above;  comb: where strands want to go
     (n, 3);  cut: which strands end here (n,);  layers: metres over the skin of the innermost and the outermost strands;
     hold: 1 it lies on the head, 0 it stands off;  free: it hangs free below this height;  width: of a
-    ribbon, metres;  wave: amplitude (metres) and length (metres) of curls;  closing, blur: see `field_of`;  coil:
-    strands of a bun beside those that grow;  locks: how much neighbours are alike, 0..1
+    ribbon, metres;  wave: amplitude (metres) and length (metres) of curls;  closing, blur: see `field_of`;  bound:
+    buns and tails beside what grows;  locks: how much neighbours are alike, 0..1;  bald: nothing grows above this
+    height, metres;  scalp: the shade of hair on the skin that goes with it, 0..1;  sparse: metres within its edges in
+    which hair grows ever finer
     """
 
     hairline: Angles
@@ -66,8 +73,11 @@ class Groom:
     wave: tuple[float, float] = (0.0008, 0.03)
     closing: float = 0.012
     blur: float = 0.004
-    coil: Coil | None = None
+    bound: tuple[Coil | Tail, ...] = ()
     locks: float = 0.6
+    bald: float = np.inf
+    scalp: float = 1.0
+    sparse: float = 0.009
     seed: int = 1
 
 
@@ -80,6 +90,21 @@ def above(line: Angles, points: Floats) -> Floats:
     return np.asarray(points[:, 1] - np.interp(angle, [at for at, _ in line], [height for _, height in line]))
 
 
+def within(groom: Groom, points: Floats) -> Floats:
+    """Metres by which points (n, 3) lie within the edges of a style's hair, (n,); negative beyond them."""
+    return np.minimum(above(groom.hairline, points), groom.bald - points[:, 1])
+
+
+def fullness_of(groom: Groom, roots: Floats) -> Floats:
+    """How thick hair is at its roots (n, 3), of the style's width, 0..1 each, (n,): finest at its edges."""
+    return FINEST + (1.0 - FINEST) * _ease(within(groom, roots) / groom.sparse)
+
+
+def flatness_of(groom: Groom, roots: Floats) -> Floats:
+    """How high hair with these roots (n, 3) lies over the skin, of its height farther in, 0..1 each, (n,)."""
+    return FLAT + (1.0 - FLAT) * _ease(within(groom, roots) / INWARD)
+
+
 def roots_of(groom: Groom, points: Floats, triangles: Ints) -> Floats:
     """Where a style's hair grows (n, 3): spread evenly, so that the first few of them already cover the scalp.
 
@@ -88,13 +113,13 @@ def roots_of(groom: Groom, points: Floats, triangles: Ints) -> Floats:
     rng = np.random.default_rng(groom.seed)
     corners = points[triangles]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    area = area * (above(groom.hairline, corners.mean(axis=1)) > -0.01)
+    area = area * (within(groom, corners.mean(axis=1)) > -0.01)
     chosen = rng.choice(len(triangles), CANDIDATES, p=area / area.sum())
     weights = rng.dirichlet((1.0, 1.0, 1.0), CANDIDATES)
     places = np.einsum("nc,ncd->nd", weights, corners[chosen])
     ear = (np.abs(places[:, 0]) > 0.0705) & (places[:, 1] < 0.024) & (places[:, 2] < 0.064)
     ragged = rng.normal(0.0, 0.0015, CANDIDATES)
-    return _pick_spread(places[(above(groom.hairline, places) > ragged) & ~ear], groom.count)
+    return _pick_spread(places[(within(groom, places) > ragged) & ~ear], groom.count)
 
 
 def _pick_spread(places: Floats, count: int) -> Floats:
@@ -115,18 +140,29 @@ def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
     chance = _alike(groom, roots, np.random.default_rng(groom.seed + 1).uniform(size=(len(roots), 4)))
     outward = field.outward(roots)
     points = roots - SUNK * outward
-    heading = outward.copy()
+    combed = _unit(groom.comb(Strands(points, roots, np.zeros(len(roots)), chance)))
+    heading = _unit(
+        outward + LEAN * (combed - np.minimum((combed * outward).sum(axis=1), 0.0)[:, None] * outward - outward)
+    )
     course = [points]
     ends = np.full(len(roots), -1)
+    downy = _downy(groom, roots, chance[:, 3])
     for step in range(round(groom.length / STRIDE)):
         strands = Strands(points, roots, np.full(len(roots), step * STRIDE), chance)
-        done = groom.cut(strands) if step > 2 else np.zeros(len(roots), bool)
+        done = (groom.cut(strands) | (strands.grown > downy)) if step > 2 else np.zeros(len(roots), bool)
         ends = np.where((ends < 0) & done, step, ends)
         heading = _heading(groom, field, strands, heading)
         points = points + STRIDE * heading
         course.append(points)
     ends = np.where(ends < 0, len(course) - 1, ends)
     return _gather(groom, _add_waves(groom, field, _stations(np.stack(course, axis=1), ends), chance))
+
+
+def _downy(groom: Groom, roots: Floats, chance: Floats) -> Floats:
+    """Metres after which strands end because they are down at the hairline's edge, (n,); infinite farther in."""
+    edge = 1.0 - _ease((within(groom, roots) - 0.001) / (0.5 * groom.sparse))
+    low, high = DOWNY
+    return np.where(chance < edge, low + (high - low) * (chance / np.maximum(edge, 1e-9)), np.inf)
 
 
 def _leaders(roots: Floats) -> Ints:
@@ -156,6 +192,7 @@ def _heading(groom: Groom, field: Field, strands: Strands, before: Floats) -> Fl
     wanted = _unit(groom.comb(strands))
     low, high = groom.layers
     layer = (low + (high - low) * strands.chance[:, 0]) * _ease(strands.grown / groom.rise)
+    layer *= flatness_of(groom, strands.roots)  # else roots are stems at the edge
     near = 1.0 - _ease((height - layer) / 0.02)
     hold = groom.hold * _ease((strands.points[:, 1] - groom.free) / 0.03)
     into = (wanted * out).sum(axis=1)

@@ -9,6 +9,7 @@ from tools.baking.heads.basemesh import Floats
 HAIRS = 1300  # per brow
 BUSHIEST = 1.7  # half heights from the middle line to the last hair
 WIDTH = 0.00017  # metres, half the thickness of a drawn hair at its root
+REACH = (0.0125, 0.0535)  # metres from the mirror plane to the first and to the last hair
 # The middle line of the character's left brow on the generic head: x, y, half height (metres), from nose to temple.
 LINE = np.array(
     [
@@ -58,7 +59,7 @@ def _hairs(seed: int) -> list[tuple[Floats, Floats, float]]:
     along = np.sort(rng.uniform(0.0, 1.0, HAIRS))
     hairs = []
     for share in along:
-        x = 0.0125 + share * 0.041
+        x = REACH[0] + share * (REACH[1] - REACH[0])
         middle, half = _line_at(np.array(x))
         height = rng.uniform(-1.0, 1.0) * BUSHIEST
         strength = 1.0 - 0.75 * min(1.0, max(0.0, abs(height) - 0.5) / (BUSHIEST - 0.5))

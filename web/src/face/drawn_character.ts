@@ -78,6 +78,7 @@ export class DrawnCharacter {
   private pose: Pose; // by source, as it is drawn
   private whole = false;
   private points: readonly Point[] = [];
+  private turn: readonly [number, number, number] = [0, 0, 0];
   /** Its farthest points as they were drawn last; none where no part of it was in the picture. */
   seen: readonly Point[] = [];
   /** Its skin without light, for levels that light vertices. */
@@ -207,6 +208,7 @@ export class DrawnCharacter {
     const { residency } = this.parts;
     if (this.whole && !this.head.visible) return false;
     const touched = this.blendFace(blender);
+    this.hair.follow(this.turn, seconds, atOnce || !this.whole);
     this.hair.dress(residency.faces(this.pose, blender), seconds, atOnce || !this.whole);
     this.whole ||= this.blended !== "" && (atOnce || (this.hair.here && this.parts.pictures.here(this.faces))); // at once: what is wanted for later may be on its way
     this.head.visible &&= this.whole;
@@ -306,7 +308,8 @@ export class DrawnCharacter {
   /** Head: yaw, then pitch, then roll; + is the character's left, up, tilt to its left. */
   private turnHead(): void {
     const { shared } = this.uniforms;
-    const [yaw, pitch, roll] = headOf(this.pose, this.parts.library);
+    this.turn = headOf(this.pose, this.parts.library);
+    const [yaw, pitch, roll] = this.turn;
     const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
     shared.headTurn.value.setFromMatrix4(turn);
   }

@@ -74,6 +74,8 @@ export class FaceView {
   alive = true;
   /** Keeps a head that turns in the middle of the picture; an audience sees it move. */
   centred = false;
+  /** What the next picture shows of a head. */
+  shot: Shot;
 
   private constructor(
     readonly canvas: HTMLCanvasElement | OffscreenCanvas,
@@ -82,6 +84,7 @@ export class FaceView {
     private readonly layers: readonly ImageBitmap[],
     private readonly options: FaceViewOptions,
   ) {
+    this.shot = options.shot ?? PORTRAIT;
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
     this.renderer = createRenderer(canvas);
     this.crossfade = new PictureCrossfade(this.renderer);
@@ -293,10 +296,9 @@ export class FaceView {
 
   /** Points the camera, and puts everybody in their places before it; the part of the picture's columns that heads lie in. */
   private frame(): [number, number] {
-    const { camera, characters, options, centred } = this;
+    const { camera, characters, shot, centred } = this;
     this.renderer.getSize(this.size);
-    const { tile, shot = PORTRAIT } = options;
-    const picture = { size: [this.size.x, this.size.y] as const, tile, shot, centred };
+    const picture = { size: [this.size.x, this.size.y] as const, tile: this.options.tile, shot, centred };
     return frameScene(camera, characters, this.called.framing, picture);
   }
 

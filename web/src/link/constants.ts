@@ -98,6 +98,10 @@ export const SKIN_LAYERS = ["mask", "marks", "patches", "relief", "finish", "pel
 export const STRETCH = 0.75;
 /** Radians from straight ahead, and the metres over the eyes where hair begins. */
 export const HAIRLINE = [[0.0, 0.079], [0.35, 0.077], [0.6, 0.071], [0.76, 0.06], [0.9, 0.04], [1.02, 0.02], [1.12, 0.0], [1.24, -0.006], [1.34, 0.008], [1.6, 0.022], [1.9, 0.0], [2.2, -0.045], [3.2, -0.07]] as const;
+/** The middle line of the left brow on the generic head, from nose to temple: x, y, half height, metres. */
+export const BROW_LINE = [[0.012, 0.0176, 0.0028], [0.02, 0.0196, 0.0033], [0.03, 0.0214, 0.0031], [0.04, 0.0221, 0.0024], [0.048, 0.0204, 0.0016], [0.055, 0.017, 0.0008]] as const;
+/** Metres from the mirror plane to the first and to the last hair of a brow. */
+export const BROW_REACH = [0.0125, 0.0535] as const;
 /** Metres from the front teeth back to the middle of the dental arch. */
 export const ARCH = 0.034;
 /** Radians along the arch within which vertices belong to one tooth's height. */

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 7;
+export const EDITING_VERSION = 8;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -9,7 +9,8 @@ export const EDITING_LIMIT = 65536;
  * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
  * base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
  * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
- * regions and amount put them; gains: in place of those that base and regions bring.
+ * regions and amount put them; gains: in place of those that base and regions bring; look: colours, traits and hair
+ * style by the names that `cast.Look` has for them, in place of those that base and regions bring.
  */
 export type FaceRecipe = {
   kind: "face";
@@ -19,6 +20,7 @@ export type FaceRecipe = {
   points: number[];
   moves: [number, number, number][];
   gains: GainRow[];
+  look: Record<string, string | number>;
 };
 
 /**

@@ -1902,8 +1902,8 @@ export type ExpressionDocument = {
   complexion: [number, number, number, number, number, number];
 };
 
-/** A hair style: where its strands are. */
-export type HairDocument = { name: string; url: string };
+/** A hair style: where its strands are, and the shade on the skin that goes with it, 0..1. */
+export type HairDocument = { name: string; url: string; scalp: number };
 
 /**
  * Where two lids or the lips may cross (`model.transfer.corrective_regions.Crossing`), little-endian.
@@ -1998,7 +1998,7 @@ export type ContentAsset = { face: FaceDocument; positions: Uint8Array };
  * Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
  * `scale`: metres per count of `points` (n, stations, 3) i16; `rows` (n, stations, links) u32 and `weights` u8 (counts
  * that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
- * (n, stations) u8, 255 is one; `width` metres.
+ * (n, stations) u8, 255 is one; `fullness` (n,) u8, 255 is one: of `width`, metres.
  */
 export type HairAsset = {
   stations: number;
@@ -2011,6 +2011,7 @@ export type HairAsset = {
   anchors: Uint8Array;
   facing: Uint8Array;
   light: Uint8Array;
+  fullness: Uint8Array;
 };
 
 /**

@@ -16,6 +16,7 @@ const asset: HairAsset = {
   anchors: bytes(Uint32Array.from([0, 2])),
   facing: bytes(Int8Array.from(Array.from({ length: 6 }, () => [0, 127, 0]).flat())),
   light: Uint8Array.from([0, 128, 255, 0, 128, 255]),
+  fullness: Uint8Array.from([255, 51]),
 };
 
 describe("strands", () => {
@@ -25,11 +26,13 @@ describe("strands", () => {
     for (let place = 0; place < 6; place++)
       expect((hair.weights[2 * place] as number) + (hair.weights[2 * place + 1] as number)).toBeCloseTo(1);
     expect([...hair.anchors]).toEqual([0, 2]);
+    expect(hair.fullness[1]).toBeCloseTo(0.2);
   });
 
   it("are refused when they point past the skin or their arrays differ in length", () => {
     expect(() => readStrands(asset, 2)).toThrow("skin's 2 rows");
     expect(() => readStrands({ ...asset, light: new Uint8Array(3) }, 3)).toThrow("2 strands");
+    expect(() => readStrands({ ...asset, fullness: new Uint8Array(3) }, 3)).toThrow("2 strands");
   });
 
   it("are refused with fewer places than they are told about", () => {

@@ -21,6 +21,8 @@ export interface HairStrands {
   facing: Int8Array;
   /** (n, stations): open sky, 255 is one. */
   light: Uint8Array;
+  /** (n,): of the width, 0..1. */
+  fullness: Float32Array;
 }
 
 /** Strands as typed arrays; an Error when they do not belong to a skin of `skin` rows, or to each other. */
@@ -32,7 +34,11 @@ export function readStrands(asset: HairAsset, skin: number): HairStrands {
   const counts = new Uint8Array(aligned(asset.weights));
   const places = anchors.length * stations;
   const lengths = [points.length / 3, rows.length / links, counts.length / links, asset.light.length];
-  if (!lengths.every((length) => length === places) || asset.facing.length !== 3 * places)
+  if (
+    !lengths.every((length) => length === places) ||
+    asset.facing.length !== 3 * places ||
+    asset.fullness.length !== anchors.length
+  )
     throw new Error(`A hair style of ${anchors.length} strands has arrays of other lengths; bake the cast again.`);
   if (stations < 3) throw new Error(`A hair style has strands of ${stations} places; bake it with 3 or more.`);
   if (rows.some((row) => row >= skin) || anchors.some((row) => row >= skin))
@@ -47,6 +53,7 @@ export function readStrands(asset: HairAsset, skin: number): HairStrands {
     anchors,
     facing: new Int8Array(aligned(asset.facing)),
     light: new Uint8Array(aligned(asset.light)),
+    fullness: Float32Array.from(new Uint8Array(aligned(asset.fullness)), (count) => count / 255),
   };
 }
 

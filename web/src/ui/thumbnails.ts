@@ -4,6 +4,8 @@
 export interface ThumbnailSubject {
   readonly face: string;
   readonly expression: string;
+  /** A hair style, "" none, that the face is to wear in place of its own: the picture shows the whole head. */
+  readonly hair?: string;
 }
 
 /** The size of a thumbnail in pixels; sharp on a display of one and a half. */
@@ -69,7 +71,8 @@ export class Thumbnails {
       this.#show(canvas, subject, cached);
       return;
     }
-    this.#standIn(canvas, subject.face);
+    if (subject.hair === undefined) this.#standIn(canvas, subject.face);
+    else this.#fade(canvas);
     this.#waiting.set(canvas, subject);
     void this.#work();
   }
@@ -151,4 +154,5 @@ export class Thumbnails {
 /** The picture that may stand in for one: the same face at rest. */
 const standInOf = (wanted: string | undefined): string | undefined => wanted?.replace(/ .*$/, ` ${NEUTRAL}`);
 
-const keyOf = ({ face, expression }: ThumbnailSubject): string => `${face} ${expression}`;
+const keyOf = ({ face, expression, hair }: ThumbnailSubject): string =>
+  hair === undefined ? `${face} ${expression}` : `${face} ${expression} with ${hair || "no hair"}`;

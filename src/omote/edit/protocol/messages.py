@@ -21,7 +21,7 @@ from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F
 from omote.show.validation import name_escapes
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 7
+EDITING_VERSION = 8
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""

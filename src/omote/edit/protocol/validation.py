@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.cast import Look
+from omote.model.recipes.compose_face import choose_look
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Recipe, Vector
 from omote.model.sculpting.caricature import MOST_AMOUNT
 from omote.model.space.complexion import MOST
@@ -42,10 +44,12 @@ _UNITY = 1e-3
 
 @dataclass(frozen=True)
 class Bounds:
-    """What recipes may refer to: on_sheet (V,) bool, which vertices of the skin lie on the sheet; the muscles."""
+    """What recipes may refer to: on_sheet (V,) bool, which vertices of the skin lie on the sheet; the muscles; the
+    hair styles."""
 
     on_sheet: NDArray[np.bool_]
     muscles: frozenset[str]
+    hair: frozenset[str] = frozenset()
 
 
 def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
@@ -132,6 +136,7 @@ def _check_face(recipe: FaceRecipe, bounds: Bounds) -> None:
     for region in recipe.regions:
         _check_region(region)
     _check_gains(recipe.gains)
+    _check_look(recipe.look, bounds)
     validate_number(recipe.amount, AMOUNT)
     if len(recipe.moves) != len(recipe.points):
         raise Refusal(f"there are {len(recipe.moves)} moves for {len(recipe.points)} handles: send one for each.")
@@ -149,6 +154,15 @@ def _check_gains(rows: Sequence[GainRow]) -> None:
         validate_gains(gains, "this face")
     except ValueError as error:
         raise Refusal(f"{error}.") from error
+
+
+def _check_look(chosen: Mapping[str, str | float], bounds: Bounds) -> None:
+    try:
+        style = choose_look(Look(), chosen).hair_style
+    except ValueError as error:
+        raise Refusal(f"{error}.") from error
+    if style not in ("", *bounds.hair):
+        raise Refusal(f"there is no hair style {style[:80]!r}: choose from {', '.join(sorted(bounds.hair))}, or none.")
 
 
 def _check_rows(rows: Sequence[int], count: int, what: str) -> None:

@@ -94,7 +94,8 @@ class EditSession:
         for revision in stored.revisions:
             with suppress(Refusal):  # one unreadable recipe does not affect the others
                 store.remember_recipe(write_recipe(read_recipe(revision.recipe)), revision.content)
-        bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
+        muscles = frozenset(muscle.name for muscle in welcome.muscles)
+        bounds = Bounds(base.space.on_sheet, muscles, frozenset(base.hair))
         self.authored = Authored(base, state, store, SourceResolver(base, state, store), bounds, net)
         self._welcome = welcome
         self.show = ""

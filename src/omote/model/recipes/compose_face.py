@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from omote.model.albedo import Albedo, SkinAtlas, decode_light, encode_light, mix_albedos, regional_albedo
+from omote.model.appearance.look_suggestion import wear_hair
 from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
@@ -25,6 +26,9 @@ _BARELY = 1e-3  # of painted skin that shows: less says nothing of a look
 
 # What of a look only its painted skin shows: where a picture stands in its place, it counts as much less.
 _PAINTED = ("skin", "lip", "brow", "blush", "coat", "freckles", "stubble", "brows", "fur", "stripes")
+
+CHOSEN = frozenset(field.name for field in fields(Look)) - {"albedo"}
+"""What of a look a recipe can choose, by name."""
 
 # What of a look lies in which region; the rest goes with the mix.
 _OF_REGIONS: Mapping[Region, tuple[str, ...]] = {
@@ -50,11 +54,11 @@ def compose_face(
     atlas: SkinAtlas | None = None,
 ) -> FaceWithLook:  # fmt: skip
     """Composes the face of a recipe, under a name: base, then regions, then caricature, then handles; its gains
-    are those of the base and of the regions' faces, except where the recipe sets its own.
+    are those of the base and of the regions' faces, except where the recipe sets its own, and so is its look.
 
     sources: the faces that it names; atlas: how the skin lies on its texture, without which regions bring no pictures.
-    Raises ValueError on faces, regions and handles that nobody knows, weights that do not sum to one, and what makes
-    no face of this space.
+    Raises ValueError on faces, regions, handles and traits that nobody knows, weights that do not sum to one, and what
+    makes no face of this space.
     """
     shares = _shares(recipe, sources)
     chosen = {check_region(region): _find_source(sources, source) for region, source in recipe.regions.items()}
@@ -72,7 +76,25 @@ def compose_face(
         pictures = tuple((region, one.look.albedo) for region, one in chosen.items())
         worn["albedo"] = regional_albedo(space, atlas, look.albedo, pictures)
     gains = override_gains(face.gains, _gains(recipe))
-    return FaceWithLook(Face(name, face.positions, face.parts, gains), Look(**{**vars(look), **worn}))
+    look = choose_look(Look(**{**vars(look), **worn}), recipe.look)
+    return FaceWithLook(Face(name, face.positions, face.parts, gains), look)
+
+
+def choose_look(look: Look, chosen: Mapping[str, str | float], /) -> Look:
+    """A look with chosen colours, traits and hair style in place of its own; another style comes with its own shade on
+    the scalp where none is chosen.
+
+    chosen: by the names of `Look`, but for a picture. Raises ValueError on names and values that no look has.
+    """
+    strange = sorted(chosen.keys() - CHOSEN)
+    if strange:
+        raise ValueError(f"a look has no {strange[0][:80]!r} to choose; expected {', '.join(sorted(CHOSEN))}")
+    style = chosen.get("hair_style", look.hair_style)
+    if not isinstance(style, str):
+        raise ValueError(f"hair_style of a look is {style!r}; expected the name of a style")
+    if style != look.hair_style:
+        look = wear_hair(look, style)
+    return Look(**{**vars(look), **chosen})
 
 
 def _gains(recipe: FaceRecipe) -> tuple[Gain, ...]:

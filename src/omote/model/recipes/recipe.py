@@ -67,7 +67,8 @@ class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_fi
 
     base: faces by weight, summing to one (sources as in `Layer`); regions: for a region the source it comes from;
     amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
-    regions and amount put them; gains: in place of those that base and regions bring.
+    regions and amount put them; gains: in place of those that base and regions bring; look: colours, traits and hair
+    style by the names that `cast.Look` has for them, in place of those that base and regions bring.
     """
 
     base: dict[str, float]
@@ -76,6 +77,7 @@ class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_fi
     points: tuple[int, ...] = ()
     moves: tuple[Vector, ...] = ()
     gains: tuple[GainRow, ...] = ()
+    look: dict[str, str | float] = {}
 
 
 def sources(recipe: Recipe | FaceRecipe, /) -> frozenset[str]:

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 from omote.builtin import load_cast
 from omote.model.hair import LINKS
 from tests import synthetic
-from tools.baking.hair.groom import STATIONS, above, roots_of
+from tools.baking.hair.groom import FINEST, STATIONS, fullness_of, roots_of, within
 from tools.baking.hair.strands import find_anchors, grow_style
 from tools.baking.hair.styles import GROOMS
 
@@ -20,7 +20,7 @@ SKIN, _ = synthetic.head()
 def test_the_same_hair_grows_on_every_bake() -> None:
     name, groom = next(iter(GROOMS.items()))
     grown = grow_style(name, groom, SPACE)
-    for what in ("points", "rows", "weights", "anchors", "facing", "light"):
+    for what in ("points", "rows", "weights", "anchors", "facing", "light", "fullness"):
         assert np.array_equal(getattr(grown, what), getattr(load_cast().hair[name], what)), what
 
 
@@ -28,14 +28,25 @@ def test_the_same_hair_grows_on_every_bake() -> None:
 def test_hair_grows_above_its_hairline(name: str) -> None:
     roots = roots_of(GROOMS[name], SPACE.points, SPACE.triangles)
     assert roots.shape == (GROOMS[name].count, 3)
-    assert above(GROOMS[name].hairline, roots).min() > -0.01
+    assert within(GROOMS[name], roots).min() > -0.01
+
+
+@pytest.mark.parametrize("name", GROOMS)
+def test_hair_is_finest_at_its_edges(name: str) -> None:
+    groom = GROOMS[name]
+    roots = roots_of(groom, SPACE.points, SPACE.triangles)
+    inside = within(groom, roots)
+    fullness = fullness_of(groom, roots)
+    assert fullness[inside > groom.sparse] == pytest.approx(1.0)
+    assert fullness[inside <= 0.0] == pytest.approx(FINEST)
+    assert (np.diff(fullness[np.argsort(inside)]) >= -1e-12).all()
 
 
 @pytest.mark.parametrize("name", GROOMS)
 def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
     hair = load_cast().hair[name]
-    coil = GROOMS[name].coil
-    assert hair.points.shape == (GROOMS[name].count + (coil.count if coil else 0), STATIONS, 3)
+    bound = sum(one.count for one in GROOMS[name].bound)
+    assert hair.points.shape == (GROOMS[name].count + bound, STATIONS, 3)
     steps = np.linalg.norm(np.diff(hair.points, axis=1), axis=2)
     assert 0.0 < steps.max() < 0.05
     assert ((hair.light > 0.0) & (hair.light <= 1.0)).all()
@@ -43,7 +54,7 @@ def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
 
 
 def test_neighbours_of_a_lock_are_combed_alike() -> None:
-    groom = replace(GROOMS["mop"], count=300)
+    groom = replace(GROOMS["mop"], count=300, sparse=1e-6)  # down is no lock
     roots = roots_of(groom, SPACE.points, SPACE.triangles)
     _, near = cKDTree(roots).query(roots, k=2)
 

@@ -13,11 +13,12 @@ import "./complexion_panel";
 import "./eyes_panel";
 import "./history_panel";
 import "./layers_panel";
+import "./look_panel";
 import "./muscles_panel";
 import "./points_panel";
 import "./recipe_panel";
 
-type Tab = "layers" | "muscles" | "points" | "eyes" | "skin" | "recipe" | "history" | "exchange";
+type Tab = "layers" | "muscles" | "points" | "eyes" | "skin" | "recipe" | "look" | "history" | "exchange";
 const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
   ["layers", "Layers"],
   ["muscles", "Muscles"],
@@ -29,6 +30,7 @@ const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
 ];
 const FOR_FACES: readonly (readonly [Tab, string])[] = [
   ["recipe", "Recipe"],
+  ["look", "Look"],
   ["history", "History"],
   ["exchange", "Import & export"],
 ];
@@ -41,7 +43,7 @@ const style = css`
   }
   [role="tablist"] {
     display: grid;
-    grid-template-columns: repeat(3, 1fr);
+    grid-template-columns: repeat(auto-fit, minmax(88px, 1fr));
     gap: 2px;
     padding: 6px;
     border-bottom: 1px solid var(--line);
@@ -163,6 +165,7 @@ const PANELS: Readonly<Record<Tab, (context: Context) => unknown>> = {
   eyes: (context) => html`<omote-eyes .context=${context}></omote-eyes>`,
   skin: (context) => html`<omote-complexion .context=${context}></omote-complexion>`,
   recipe: (context) => html`<omote-recipe .context=${context}></omote-recipe>`,
+  look: (context) => html`<omote-look .context=${context}></omote-look>`,
   history: (context) => html`<omote-history .context=${context}></omote-history>`,
   exchange: (context) => html`<omote-exchange .context=${context}></omote-exchange>`,
 };

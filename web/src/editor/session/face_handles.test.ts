@@ -18,6 +18,7 @@ const PLAIN: FaceRecipe = {
   points: [],
   moves: [],
   gains: [],
+  look: {},
 };
 const HANDLES = handlesOf(ASSET, PLAIN);
 const CAMERA = new Camera(

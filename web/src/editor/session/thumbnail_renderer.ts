@@ -2,12 +2,16 @@
 
 import { capture } from "../../face/capture";
 import { FaceView } from "../../face/face_view";
-import { THUMBNAIL } from "../../face/framing";
+import { PORTRAIT, THUMBNAIL } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
 import { restPose } from "../../face/pose/pose";
 import { KEY, type Library } from "../../link/assets";
+import type { FaceDocument, Look, Manifest } from "../../link/messages";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
 import { loadFace } from "./asset_loading";
+
+/** Yaw, pitch, roll: how a head is turned to show its hair behind too, radians. */
+const HALF_LEFT = [0.75, 0, 0] as [number, number, number];
 
 /** Milliseconds between two looks at whether the graphics processor has drawn. */
 const LOOK = 8;
@@ -33,11 +37,13 @@ export class ThumbnailRenderer {
     return drawn;
   }
 
-  async #draw({ face, expression }: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
+  async #draw({ face, expression, hair }: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
     const { view } = this;
     await ensureFace(view.library, face);
+    view.shot = hair === undefined ? THUMBNAIL : PORTRAIT;
     view.resize(width, height);
-    await view.present(restPose(face, expression));
+    const pose = restPose(hair === undefined ? face : wearing(view.library, face, hair), expression);
+    await view.present(hair === undefined ? pose : { ...pose, head: HALF_LEFT });
     const [picture] = await Promise.all([capture(view), finished(view.context)]);
     return picture;
   }
@@ -53,6 +59,22 @@ export async function ensureFace(library: Library, face: string, load = loadFace
   const { document } = await load(library.manifest, face);
   library.faces.set(face, document);
 }
+
+/** Makes a face known that is another with another hair style, "" for none, and on its scalp the shade that goes with
+ * that; its name. The face must be known. */
+export function wearing(library: Library, face: string, style: string): string {
+  const own = library.faces.get(library.sourceOf("faces", face)) as FaceDocument;
+  if (own.look.hair_style === style) return own.source;
+  const name = `${own.source} with ${style}`;
+  library.faces.set(name, { ...own, look: { ...own.look, ...hairOf(library.manifest, style) } });
+  return name;
+}
+
+/** What a look says of a hair style, "" for none: its name, and the shade on the scalp that goes with it. */
+export const hairOf = ({ hair }: Manifest, style: string): Pick<Look, "hair_style" | "scalp"> => ({
+  hair_style: style,
+  scalp: hair.find(({ name }) => name === style)?.scalp ?? 0,
+});
 
 /** Waits without blocking until the graphics processor has drawn: on slow ones the page stays usable meanwhile. */
 async function finished(gl: WebGL2RenderingContext): Promise<void> {

@@ -31,6 +31,7 @@ export function arcStyle(arcs: readonly Arc[]): HairStrands {
     anchors: new Uint32Array(arcs.length),
     facing: new Int8Array(3 * places),
     light: new Uint8Array(places),
+    fullness: new Float32Array(arcs.length).fill(1),
   };
 }
 

@@ -5,9 +5,12 @@ import type { Library } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
 import type { HeadUniforms } from "../head/head";
 import type { Features } from "../quality/quality_levels";
+import { mixHairColour } from "../skin/scalp";
 import { type ActiveStyle, HairAssignment, type HairStock } from "./hair_assignment";
 import { ribbons, type StyleUniforms, strandsTexture, styleUniforms } from "./hair_geometry";
+import { rootsTexture } from "./hair_roots";
 import { drawnStrands } from "./hair_strands";
+import { HairSwing } from "./hair_swing";
 
 /** Between styles, in the order of drawing: half way they lie on each other, and who is first shows there. */
 const ONE_AFTER_OTHER = 0.01;
@@ -17,9 +20,12 @@ export class Hair {
   private readonly assignment: HairAssignment;
   private readonly uniforms = new Map<string, StyleUniforms>();
   private readonly heads = new Map<THREE.Group, { shared: HeadUniforms; features: Features }>();
+  private readonly swing = new HairSwing();
+  private readonly swung: THREE.IUniform<THREE.Vector3> = { value: this.swing.offset };
   private readonly tint: THREE.IUniform<THREE.Color> = { value: new THREE.Color() };
+  private readonly roots: THREE.DataTexture;
+  private rooted = 0;
   private readonly versions = new Map<string, number>();
-  private readonly colours = new Map<string, THREE.Color>();
 
   /** `positions`: of the face that styles are made on. */
   constructor(
@@ -28,6 +34,7 @@ export class Hair {
     stock: HairStock,
   ) {
     this.assignment = new HairAssignment(library, positions, stock);
+    this.roots = rootsTexture(positions.length / 3);
   }
 
   /** Fetches the hair of these faces. */
@@ -45,14 +52,20 @@ export class Hair {
     return this.assignment.here;
   }
 
-  /** Whether all hair that was wanted shows in full. */
+  /** Whether all hair that was wanted shows in full, and hangs at rest. */
   get settled(): boolean {
-    return this.assignment.settled;
+    return this.assignment.settled && this.swing.still;
+  }
+
+  /** Lets it follow a head that turned so far, `seconds` after the last frame; `atOnce`: it hangs at rest. */
+  follow(turn: readonly [number, number, number], seconds: number, atOnce: boolean): void {
+    this.swing.follow(turn, seconds, atOnce);
   }
 
   /** Puts hair on a head that is drawn at a level; styles that come later join it. */
   on(head: THREE.Group, shared: HeadUniforms, features: Features): void {
     this.heads.set(head, { shared, features });
+    shared.roots.value = this.roots;
     this.update();
   }
 
@@ -71,10 +84,12 @@ export class Hair {
   /** Frees what no other character shares. */
   dispose(): void {
     for (const { strands } of this.uniforms.values()) strands.value.dispose();
+    this.roots.dispose();
   }
 
   private update(): void {
     this.mixTint();
+    this.writeRoots();
     for (const [place, style] of [...this.assignment.worn.values()].entries()) {
       const own = this.uniformsOf(style);
       this.write(style, own);
@@ -89,23 +104,18 @@ export class Hair {
 
   /** All styles take the mixed colour, so that one passes into the other as one head of hair. */
   private mixTint(): void {
-    const { wearers } = this.assignment;
-    const total = [...wearers.values()].reduce((sum, weight) => sum + weight, 0);
-    if (total <= 0) return;
-    this.tint.value.setRGB(0, 0, 0);
-    for (const [face, weight] of wearers) {
-      const { r, g, b } = this.colour(face);
-      const { value } = this.tint;
-      value.setRGB(value.r + (r * weight) / total, value.g + (g * weight) / total, value.b + (b * weight) / total);
-    }
+    const looks = [...this.assignment.dressed].flatMap(([face, weight]) => {
+      const look = this.library.faces.get(face)?.look;
+      return look === undefined ? [] : [[look, weight] as const];
+    });
+    mixHairColour(looks, this.tint.value);
   }
 
-  private colour(face: string): THREE.Color {
-    const cached = this.colours.get(face);
-    if (cached !== undefined) return cached;
-    const colour = new THREE.Color().setStyle(this.library.faces.get(face)?.look.hair ?? "#000000");
-    this.colours.set(face, colour);
-    return colour;
+  private writeRoots(): void {
+    if (this.rooted === this.assignment.rooted) return;
+    this.rooted = this.assignment.rooted;
+    (this.roots.image.data as Float32Array).set(this.assignment.roots);
+    this.roots.needsUpdate = true;
   }
 
   private write(style: ActiveStyle, into: StyleUniforms): void {
@@ -120,7 +130,7 @@ export class Hair {
   }
 
   private uniformsOf(style: ActiveStyle): StyleUniforms {
-    const uniforms = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint);
+    const uniforms = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint, this.swung);
     this.uniforms.set(style.name, uniforms);
     return uniforms;
   }

@@ -14,6 +14,7 @@ const hair: HairStrands = {
   anchors: Uint32Array.from([0]),
   facing: new Int8Array(9),
   light: new Uint8Array(3),
+  fullness: new Float32Array(1).fill(1),
 };
 const generic = new Float32Array(3);
 
@@ -31,6 +32,7 @@ function late(): { library: Library; come: () => void } {
   const library = {
     faces: faceByName,
     meshes: [],
+    manifest: { skin: 1 },
     hasFace: (face: string) => faceByName.has(face),
     positions: async () => generic,
     hair: () => waiting,

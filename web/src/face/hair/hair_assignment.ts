@@ -4,7 +4,8 @@ import type { Library } from "../../link/assets";
 import type { HairStrands } from "../../link/strands";
 import { rowTriangles } from "../anatomy/topology";
 import { type CarriedStyle, HairBlend } from "./hair_blend";
-import { drawnStrands, mixOffsets, type Offsets, offsetsOn, styleWeights } from "./hair_strands";
+import { mixRoots, rootDensity } from "./hair_roots";
+import { drawnStrands, mixOffsets, type Offsets, offsetsOn, styleWeights, weightOfLate } from "./hair_strands";
 import { type RadialMap, radialMap } from "./radial_map";
 
 const CATCH_UP = 0.25; // seconds in which a style that came late grows in
@@ -21,10 +22,12 @@ export interface ActiveStyle extends CarriedStyle {
   grown: number;
 }
 
-/** What all characters share of hair: how styles blend on the generic head, and how each face carries each style. */
+/** What all characters share of hair: how styles blend on the generic head, how each face carries each style, and how densely each
+ * grows; "" is the shade of hair on who wears none. */
 export interface HairStock {
   readonly blend: HairBlend;
   readonly offsets: Map<string, Offsets>;
+  readonly density: Map<string, Float32Array>;
 }
 
 /** An empty stock; `generic`: the face that styles are made on; `painted`: the rows of its skin under hair, 0..1 each. */
@@ -34,7 +37,8 @@ export function createHairStock(library: Library, generic: Float32Array, painted
     scalp ??= radialMap(generic, library.meshes.filter(({ name }) => name === "skin").map(rowTriangles));
     return scalp;
   };
-  return { blend: new HairBlend(grow, painted), offsets: new Map() };
+  const bare = Float32Array.from({ length: generic.length / 3 }, (_, row) => painted(row));
+  return { blend: new HairBlend(grow, painted), offsets: new Map(), density: new Map([["", bare]]) };
 }
 
 /** What of the cast's hair is here, and how the faces on air wear it; a style that comes late grows in. */
@@ -44,10 +48,13 @@ export class HairAssignment {
   private readonly shares = new Map<string, number>();
   private coming = 0;
   private shaped = "";
+  /** How densely hair grows at each row, 0..1, mixed over the faces on air, and a number that rises when it changes. */
+  readonly roots: Float32Array;
+  rooted = 0;
   /** The largest share of a style's strands that anybody draws, 0..1. */
   detail = 1;
-  /** The weights of the faces on air that wear any hair. */
-  wearers: ReadonlyMap<string, number> = new Map();
+  /** The weights of the faces on air that are here. */
+  dressed: ReadonlyMap<string, number> = new Map();
   /** Every style that has come, by name: in whatever order they came, sums are the same to the last bit. */
   readonly worn = new Map<string, ActiveStyle>();
 
@@ -55,7 +62,9 @@ export class HairAssignment {
     private readonly library: Library,
     private readonly generic: Float32Array,
     private readonly stock: HairStock,
-  ) {}
+  ) {
+    this.roots = new Float32Array(generic.length / 3);
+  }
 
   /** Fetches what these faces wear, and the faces, which all styles on air must fit. */
   want(faces: Iterable<string>): void {
@@ -86,7 +95,7 @@ export class HairAssignment {
   dress(faces: ReadonlyMap<string, number>, seconds: number, atOnce: boolean): void {
     const here = new Map([...faces].filter(([face]) => this.faces.has(face)));
     const styles = styleWeights(here, (face) => this.styleOf(face));
-    this.wearers = new Map([...styles.values()].flatMap((wearers) => [...wearers]));
+    this.dressed = here;
     const weights = new Map<ActiveStyle, number>();
     for (const style of this.worn.values()) {
       const wearers = styles.get(style.name) ?? new Map<string, number>();
@@ -94,7 +103,7 @@ export class HairAssignment {
       const share = Math.min(1, (this.shares.get(style.name) ?? 0) + (atOnce ? 1 : seconds / CATCH_UP));
       this.shares.set(style.name, weight > 0 ? share : 1); // what comes while nobody wears it needs no easing
       if (weight <= 0) continue;
-      weights.set(style, weight * share);
+      weights.set(style, weight * weightOfLate(share));
       style.scalp = [...wearers].reduce((sum, [face, part]) => sum + (part / weight) * this.scalpOf(face), 0);
     }
     this.shape(here, weights);
@@ -105,6 +114,7 @@ export class HairAssignment {
     const key = JSON.stringify([[...faces], [...weights].map(([{ name }, weight]) => [name, weight]), this.detail]);
     if (key === this.shaped) return;
     this.shaped = key;
+    this.root(faces, weights);
     for (const style of weights.keys()) this.carry(style, faces);
     for (const style of this.worn.values()) {
       style.grown = 0;
@@ -112,6 +122,21 @@ export class HairAssignment {
       style.grown = this.stock.blend.write(style, weights, style.strands, drawnStrands(style.hair, this.detail));
       style.version += 1;
     }
+  }
+
+  /** The shade of the roots of all styles on air, and of who wears none. */
+  private root(faces: ReadonlyMap<string, number>, weights: ReadonlyMap<ActiveStyle, number>): void {
+    const bare = [...faces].filter(([face]) => this.styleOf(face) === "");
+    const shade = bare.reduce((sum, [face, weight]) => sum + weight * this.scalpOf(face), 0);
+    const worn = [...weights].map(([style, weight]) => [this.densityOf(style), weight] as const);
+    mixRoots([...worn, [this.stock.density.get("") as Float32Array, shade]], this.roots);
+    this.rooted += 1;
+  }
+
+  private densityOf({ name, hair }: ActiveStyle): Float32Array {
+    const density = this.stock.density.get(name) ?? rootDensity(hair, this.generic, this.library.manifest.skin);
+    this.stock.density.set(name, density);
+    return density;
   }
 
   private styleOf(face: string): string {

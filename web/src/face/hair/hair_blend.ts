@@ -2,7 +2,7 @@
 
 import { MathUtils } from "three";
 import type { HairStrands } from "../../link/strands";
-import { lengthAt, strandLength } from "./hair_strands";
+import { lengthAt, strandLength, WHOLE_HAIR } from "./hair_strands";
 import { moveOutward, type RadialMap, radiusOf, radiusUnder } from "./radial_map";
 import { type Matches, matchRoots, woundStrands } from "./root_matching";
 
@@ -66,11 +66,15 @@ export class HairBlend {
   write(style: CarriedStyle, weights: ReadonlyMap<CarriedStyle, number>, into: Float32Array, count: number): number {
     const sources = this.sources(style, weights);
     const { wound, rooted } = this.study(style.hair);
+    const bald = Math.max(0, 1 - sources.reduce((sum, source) => sum + source.weight, 0));
     let most = 0;
     for (let strand = 0; strand < count; strand++) {
       const weight = choose(sources, strand, style.hair.stations);
       const bare = 1 - style.scalp * (rooted[strand] as number);
-      const length = lengthAt(weight - LATER * bare * (1 - weight));
+      const length = lengthAt(
+        weight - LATER * bare * Math.max(0, WHOLE_HAIR - weight),
+        Math.min(1, bald / Math.max(1 - weight, 1e-6)),
+      );
       const width = length > 0 ? widthOf(style, sources, strand) : 0;
       const at = 4 * strand * style.hair.stations;
       if (width > 0) this.shape(style, strand, sources, into);

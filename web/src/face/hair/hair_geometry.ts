@@ -24,23 +24,32 @@ export interface RibbonStyle {
 const TRIANGLES = { round: 20, fine: 15, coarse: 8 };
 
 /** How wide each of several ribbons of a strand is, of a single one. */
-const THIN = 0.47;
+const THIN = 0.41;
 
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
-  Record<"stations" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
+  Record<"stations" | "width", THREE.IUniform<number>> & {
+    tint: THREE.IUniform<THREE.Color>;
+    swing: THREE.IUniform<THREE.Vector3>;
+  };
 
 /** What all characters that wear a style share of it on the GPU, by its strands. */
 const shapes = new WeakMap<HairStrands, THREE.DataTexture>();
 const geometries = new WeakMap<HairStrands, Map<string, THREE.InstancedBufferGeometry>>();
 
-/** The uniforms of a style in this colour; `strands` as `HAIR_VERTEX` reads it, four numbers a place. */
-export function styleUniforms({ hair, strands }: RibbonStyle, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
+/** The uniforms of a style in this colour; `strands` as `HAIR_VERTEX` reads it, four numbers a place; `swing`: how far it is
+ * turned against the head, a rotation vector. */
+export function styleUniforms(
+  { hair, strands }: RibbonStyle,
+  tint: THREE.IUniform<THREE.Color>,
+  swing: THREE.IUniform<THREE.Vector3> = { value: new THREE.Vector3() },
+): StyleUniforms {
   return {
     strands: { value: strandsTexture({ hair, strands }, hair.anchors.length) },
     shape: { value: shapeOf(hair) },
     stations: { value: hair.stations },
     width: { value: hair.width },
     tint,
+    swing,
   };
 }
 
@@ -146,10 +155,12 @@ function ribbon(
   const geometry = new THREE.InstancedBufferGeometry();
   const strands = outermostFirst(hair, count);
   const roots = strands.map((strand) => hair.anchors[strand] as number);
+  const fullness = strands.map((strand) => hair.fullness[strand] as number);
   geometry.setIndex(course.slice(2).flatMap((_, at) => (at % 2 === 0 ? [at, at + 1, at + 2] : [at + 1, at, at + 2])));
   geometry.setAttribute("place", new THREE.Float32BufferAttribute(course.flat(), 2));
   geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(roots), 1, false, kin));
   geometry.setAttribute("strandRow", new THREE.InstancedBufferAttribute(Float32Array.from(strands), 1, false, kin));
+  geometry.setAttribute("fullness", new THREE.InstancedBufferAttribute(Float32Array.from(fullness), 1, false, kin));
   geometry.instanceCount = kin * count;
   return geometry;
 }

@@ -56,6 +56,7 @@ void sheens(vec3 rim, vec4 halves, float facing, float open, float shift, out ve
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
 export const HAIR_VERTEX = `${VERTEX_HEAD}
 in float strandRow;
+in float fullness; // of the width, 0..1: hair is finer towards its edges
 #define SPIN chanceOf(0u)
 #ifdef DETAIL
 #define FIBRE 0.0007 // metres across the hairs that cling together and are seen as one
@@ -72,6 +73,8 @@ in float strandRow;
 #define OVERLAP 0.4
 #endif
 #define SCARCE 0.8 // of that width: ribbons end one by one where they are narrower, instead of all being wider than they are
+#define HANGS 1.0 // of the swing, that the tips of long hair follow
+#define LONG 0.12 // metres
 #define SLENDER 0.12 // half the width of a ribbon that is this short, of its length
 
 /** Ribbons are drawn in another order than strands are numbered; one strand's, thin ones in detail, follow each other. */
@@ -95,6 +98,7 @@ uniform sampler2D shape;   // away from the head (xyz), open sky (w)
 uniform float stations;
 uniform float width;
 uniform float pixel; // metres a pixel is wide, one metre away
+uniform vec3 swing; // how far it is turned against the head, a rotation vector
 in vec2 place; // across -1..1, along 0..1
 #ifdef FAST
 out vec4 vFibre; // place on the noise, and what covers between the fibres as below
@@ -113,6 +117,7 @@ out vec2 vFacing; // and open sky
 #ifdef DETAIL
 out float vSway;
 uniform sampler2D grain;
+#define STRAY 0.93 // of all ribbons lie with their strand
 #define KIN_APART 5.5 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
@@ -133,13 +138,15 @@ void main() {
   float length_ = grown * (1.0 - 0.8 * chance * (1.0 - grown)); // no two are cut alike
   float metres = texelFetch(strands, ivec2(2, strand), 0).w;
   float thin = clamp(shown * 1.5 - 0.5 * chanceOf(0u), 0.0, 1.0) * smoothstep(0.0, 0.5, length_);
-  thin *= min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
+  thin *= fullness * min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
   if (thin <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nothing to draw
     return;
   }
 #ifdef DETAIL
-  length_ *= 1.0 - 0.14 * chanceOf(3u);
+  length_ *= 1.0 - 0.1 * chanceOf(3u);
+  float stray = smoothstep(STRAY, 1.0, chanceOf(7u)); // a few hairs go their own way
+  thin *= stray > 0.0 ? 0.5 : 1.0;
 #endif
   float at = place.y * length_ * (stations - 1.0);
   int here = int(min(at, stations - 2.0));
@@ -165,15 +172,13 @@ void main() {
 #ifdef DETAIL
   float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
+  float loose = min(0.12 * length_ * metres, 0.009) * stray * place.y * place.y;
+  spot += loose * ((0.3 + chanceOf(4u)) * away + 1.6 * (chance - 0.5) * aside);
 #endif
   float end = place.y * place.y;
-#ifdef DETAIL
-  thin *= 1.0 - 0.45 * end;
-#else
   thin *= 1.0 - 0.3 * end;
-#endif
 #ifdef DETAIL
-  thin *= 1.0 - 0.8 * end * end; // to a point: noise leaves dust
+  thin *= 1.0 - 0.85 * end * end; // to a point: noise leaves dust
 #else
   thin *= 1.0 - 0.85 * end * smoothstep(1.0, 0.6, grown); // hair that comes or goes ends in points: cut across it is slats
 #endif
@@ -183,6 +188,9 @@ void main() {
 #else
   thin *= mix(0.6, 1.0, smoothstep(0.0, 0.25, place.y));
 #endif
+  vec3 swung = HANGS * min(1.0, length_ * metres / LONG) * place.y * place.y * cross(swing, spot);
+  swung -= 0.8 * min(dot(swung, away), 0.0) * away; // not into the head
+  spot = length(spot) * normalize(spot + swung + 1e-7);
   vec3 point = fetchRow(positions) + spot;
   point = turned(point, 1.0);
   along = headTurn * along;
@@ -198,6 +206,7 @@ void main() {
   vec3 within = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
 #ifdef DETAIL
   float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
+  bare += 0.3 * smoothstep(0.1, 0.0, place.y); // and come out of the skin one by one
 #else
   float bare = 0.34 * end + 0.9 * smoothstep(0.86, 1.06, place.y + 0.12 * chance * end);
 #endif

@@ -99,8 +99,30 @@ export function drawnStrands({ anchors }: HairStrands, share: number): number {
   return Math.max(1, Math.round(Math.min(anchors.length, Math.max(share * anchors.length, LEAST))));
 }
 
-/** How long a strand is, 0..1 of its whole, under the weight of the faces that have hair there: never jumps. */
-export const lengthAt = (weight: number): number => MathUtils.smoothstep(weight, 0.18, 0.92);
+/** The weights of the faces that have hair between which it grows to its whole length, where others have hair elsewhere and where they
+ * have none. Shorter hair is a third style: it passes quickly, and late, when the hair has nearly the colour of what is under it. */
+const [AMONG_HAIR, AMONG_BALD] = [
+  [0.1, 0.3],
+  [0.05, 0.22],
+] as const;
+/** Hair of this weight is whole on any mix. */
+export const WHOLE_HAIR = AMONG_HAIR[1];
+
+/** How long a strand is, 0..1 of its whole, under the weight of the faces that have hair there: never jumps. `bald`: the share, 0..1,
+ * of those that wear none among all others. */
+export const lengthAt = (weight: number, bald = 1): number =>
+  MathUtils.smoothstep(
+    weight,
+    MathUtils.lerp(AMONG_HAIR[0], AMONG_BALD[0], bald),
+    MathUtils.lerp(AMONG_HAIR[1], AMONG_BALD[1], bald),
+  );
+
+/** Of its weight, what a style has that came late, `share` (0..1) of its time after: it grows evenly in most of that time. */
+export const weightOfLate = (share: number): number =>
+  share < MOST
+    ? MathUtils.lerp(AMONG_BALD[0], AMONG_BALD[1], share / MOST)
+    : MathUtils.lerp(AMONG_BALD[1], 1, (share - MOST) / (1 - MOST));
+const MOST = 0.8;
 
 /** The weight of every style, and of each face in it: of those faces that wear one. */
 export function styleWeights(

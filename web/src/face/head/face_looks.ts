@@ -1,18 +1,17 @@
 /** Mixes the looks of the faces on air: colours, traits, eyeballs, extremes. */
 
 import * as THREE from "three";
-import type { FaceDocument } from "../../link/messages";
+import type { FaceDocument, Look } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 import { addScaled, dressPictures, type ShownPicture } from "../skin/picture_mix";
-import { mixScalp } from "../skin/scalp";
-import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
+import { mixHairColour, mixScalp } from "../skin/scalp";
+import { mixSkinTraits, SKIN_TRAITS } from "../skin/skin_layers";
 import { type EyeUniforms, type HeadUniforms, LOOK_COLOURS } from "./head";
 
 type FaceLook = Record<(typeof LOOK_COLOURS)[number], THREE.Color> & {
   source: string;
-  traits: SkinTraits;
-  haired: boolean;
+  traits: Look;
   eyeRadius: number;
   centres: number[];
   ballRadii: number[];
@@ -88,14 +87,13 @@ export class FaceLooks {
   }
 }
 
-/** The scalp under hair that comes or goes, in the colour of those who wear it. */
+/** The scalp under hair that comes or goes, in the colour that the hair has. */
 function dressScalp(shares: readonly (readonly [FaceLook, number])[], { scalp, hair }: HeadUniforms): void {
   scalp.value = mixScalp(shares.map(([{ traits }, weight]) => ({ weight, scalp: traits.scalp })));
-  const wearers = shares.filter(([{ haired }, weight]) => haired && weight > 0);
-  const total = wearers.reduce((sum, [, weight]) => sum + weight, 0);
-  if (total === 0) return;
-  hair.value.setRGB(0, 0, 0);
-  for (const [look, weight] of wearers) addScaled(hair.value, look.hair, weight / total);
+  mixHairColour(
+    shares.map(([{ traits }, weight]) => [traits, weight] as const),
+    hair.value,
+  );
 }
 
 function readLook(face: FaceDocument): FaceLook {
@@ -104,7 +102,6 @@ function readLook(face: FaceDocument): FaceLook {
     ...Object.fromEntries(colours),
     source: face.source,
     traits: face.look,
-    haired: face.look.hair_style !== "",
     eyeRadius: face.eye_radius,
     centres: face.centres.flat(),
     ballRadii: [...face.ball_radii],

@@ -11,6 +11,7 @@ import { type BloodUniforms, bloodUniforms } from "../skin/blood";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
 import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
+import { brows } from "./brows";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import type { EyeTraits } from "./eye_traits";
 import { eyeball } from "./eyeballs";
@@ -44,6 +45,8 @@ export interface HeadUniforms
   pivot: THREE.IUniform<THREE.Vector3>;
   viewPoint: THREE.IUniform<THREE.Vector3>;
   grain: THREE.IUniform<THREE.Texture>;
+  /** How densely hair grows at each row, 0..1. */
+  roots: THREE.IUniform<THREE.Texture | null>;
 }
 
 /** What differs between the two eyeballs. */
@@ -79,6 +82,7 @@ export function headUniforms(
     viewPoint: { value: new THREE.Vector3() },
     grain: common?.grain ?? { value: grainTexture() },
     ...(Object.fromEntries(LOOK_COLOURS.map((part) => [part, { value: new THREE.Color() }])) as LookColours),
+    roots: { value: null },
     irisSize: { value: 1 },
     slit: { value: 0 },
     lashes: { value: 1 },
@@ -112,6 +116,8 @@ export function buildHead(from: HeadParts): THREE.Group {
   const fast = !from.features.pixelLight;
   const grown = lashes(from.anatomy, from.shared, fast);
   if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
+  const hairs = from.features.detail ? brows(from.meshes, from.anatomy.positions, from.shared) : undefined;
+  if (hairs !== undefined) head.add(Object.assign(hairs, { name: "brows" }));
   if (from.anatomy.rim.length > 0) {
     const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
     head.add(new THREE.Mesh(collar(from.anatomy, fast), cloth));

@@ -87,7 +87,7 @@ export function ribbons(upper = UPPER, lower = LOWER, stations = FINE): Ribbons 
 }
 
 /** A number in [0, 1) that two whole numbers decide. */
-function hashed(a: number, b: number): number {
+export function hashed(a: number, b: number): number {
   const mixed = Math.imul(a + 1, 0x9e3779b1) ^ Math.imul(b + 1, 0x85ebca6b);
   return (Math.imul(mixed ^ (mixed >>> 15), 0x2c1b3c6d) >>> 0) / 2 ** 32;
 }

@@ -1,5 +1,6 @@
+import { Color } from "three";
 import { describe, expect, it } from "vitest";
-import { mixScalp, stubbleAt } from "./scalp";
+import { type HairLook, mixHairColour, mixScalp, stubbleAt } from "./scalp";
 
 const kaori = { scalp: 1 };
 const old = { scalp: 0.4 };
@@ -46,7 +47,47 @@ describe("the scalp", () => {
     expect(painted[50]).toBe(1);
     for (const [step, value] of painted.entries()) {
       expect(value).toBeCloseTo(stubbleAt(step / 100));
-      expect(Math.abs(value - (painted[step - 1] ?? 0))).toBeLessThan(0.06);
+      expect(Math.abs(value - (painted[step - 1] ?? 0))).toBeLessThan(0.08);
     }
+  });
+});
+
+describe("the colour of hair", () => {
+  const black: HairLook = { hair: "#000000", hair_style: "bob", skin: "#ffffff", brow: "#000000", fur: 0, lacquer: 0 };
+  const bald: HairLook = { ...black, hair: "#ff0000", hair_style: "" };
+  const mix = (looks: readonly (readonly [HairLook, number])[]): number[] => {
+    const into = new Color(9, 9, 9);
+    mixHairColour(looks, into);
+    return into.toArray();
+  };
+
+  it("is the mean of those who wear it, in roots of light", () => {
+    const white = { ...black, hair: "#ffffff" };
+    expect(mix([[black, 1]])).toEqual([0, 0, 0]);
+    expect(
+      mix([
+        [black, 0.75],
+        [white, 0.25],
+      ]),
+    ).toEqual([0.0625, 0.0625, 0.0625]);
+  });
+
+  it("passes into the fur of an animal, and into the paint of a mask", () => {
+    expect(
+      mix([
+        [black, 0.5],
+        [{ ...bald, fur: 1 }, 0.5],
+      ]),
+    ).toEqual([0.25, 0.25, 0.25]);
+    expect(
+      mix([
+        [black, 0.5],
+        [{ ...bald, lacquer: 1 }, 0.5],
+      ]),
+    ).toEqual([0, 0, 0]);
+  });
+
+  it("of heads that are all bald is what they would wear, whatever was shown before", () => {
+    expect(mix([[bald, 1]])).toEqual([1, 0, 0]);
   });
 });

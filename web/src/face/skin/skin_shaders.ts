@@ -148,7 +148,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   float oily = layers.finish.r * (0.35 + 0.65 * pores) * (1.0 - 0.55 * age);
   float sharpness = mix(mix(10.0, 26.0, oily), 90.0, max(wet, lacquer * 0.75));
   float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
-  strength = mix(strength, 0.8, lacquer) * (1.0 - 0.85 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
+  strength = mix(strength, 0.8, lacquer) * (1.0 - 0.97 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   strength *= open;
 #ifdef DETAIL
   Tear tear = tearAt();
@@ -171,7 +171,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 #endif
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
-  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, vec3(0.06), at.hair) * (1.0 + at.fur);
+  seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, 0.02 + 0.5 * at.albedo, at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
 #ifdef DETAIL
   seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)); // to and fro between the walls of the mouth
@@ -185,6 +185,7 @@ vec3 lit(Layers layers, Ground at, float open) {
  * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
  */
 export const SURFACE = `
+uniform sampler2D roots; // how densely hair grows at each row
 #ifdef CURVED
 in vec3 rows;
 in vec3 shares;
@@ -200,7 +201,14 @@ vec3 surface(out vec3 normal) {
   vec3 point = shares.x * a + shares.y * b + shares.z * c;
   return point - 0.5 * (shares.x * besides(point, a, na) + shares.y * besides(point, b, nb) + shares.z * besides(point, c, nc));
 }
+
+float grown() {
+  ivec3 at = ivec3(rows + 0.5);
+  return dot(shares, vec3(texelFetch(roots, texelOf(at.x), 0).r, texelFetch(roots, texelOf(at.y), 0).r, texelFetch(roots, texelOf(at.z), 0).r));
+}
 #else
+float grown() { return texelFetch(roots, texelOf(int(source + 0.5)), 0).r; }
+
 vec3 surface(out vec3 normal) {
   normal = fetchRow(normals);
   return fetchRow(positions);
@@ -233,7 +241,7 @@ vec4 layer(sampler2D picture) { return texture(picture, vUv); }
 
 export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}${BLOOD}${FLUSHED}
 in vec2 uv;
-in vec4 traits; // turn with the head, open sky, hair, light at the neck
+in vec4 traits; // turn with the head, open sky, hair on who wears none, light at the neck
 in float behind; // metres behind the lips
 uniform ivec4 lipRows; // right and left corner, the middle of the upper and of the lower edge
 ${SURFACE}
@@ -302,12 +310,13 @@ void main() {
   float light = traits.w * entering(here);
   normal = turnedNormal(normal, traits.x);
   float open = openness(traits.y);
+  float haired = grown();
 #ifdef FAST
-  Fall fallen = fall(point, normal, open, traits.z * scalp);
+  Fall fallen = fall(point, normal, open, haired * scalp);
   vec2 shines = light * open * fallen.gloss;
-  vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.06 / max(hair, 0.02), traits.z * scalp); // as the colour that they are multiplied with wants it
-  vPaint = vec4(uv, traits.z, shines.x + 1.2 * shines.y);
-  vec3 bled = mix(flushed(bloodAt(0.0)), vec3(1.0), traits.z * scalp);
+  vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.5 + 0.02 / max(hair, 0.02), haired * scalp); // as the colour that they are multiplied with wants it
+  vPaint = vec4(uv, haired, shines.x + 1.2 * shines.y);
+  vec3 bled = mix(flushed(bloodAt(0.0)), vec3(1.0), haired * scalp);
   vLight = vec4(light * bled * (fallen.diffuse + fallen.rim * edges * RIM_LIGHT), 3.0 * shines.y);
 #else
   vUv = uv;
@@ -317,7 +326,7 @@ void main() {
   vUp = mix(vec3(0.0, 1.0, 0.0), headTurn[1], traits.x);
   vFrontal = frontal;
 #endif
-  vTraits = vec4(open, traits.z, light, bloodAt(squeezed));
+  vTraits = vec4(open, haired, light, bloodAt(squeezed));
   vPoint = point;
   vNormal = normal;
 #endif
@@ -362,6 +371,9 @@ vec3 seen() {
   const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
 #endif
   Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
+#ifdef DETAIL
+  layers.mask.g = texture(mask, vUv, 3.0).g; // hairs of the brows are drawn over their shade
+#endif
   Ground at = ground(layers, vTraits.y);
   at.albedo *= mix(flushed(vTraits.w), vec3(1.0), at.hair);
   return lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;

@@ -8,6 +8,7 @@ import { normalAt } from "../../../face/anatomy/topology";
 import { ROW_WIDTH } from "../../../face/gpu/pass_shaders";
 import { material } from "../../../face/gpu/renderer";
 import { type RibbonStyle, ribbons, type StyleUniforms, styleUniforms } from "../../../face/hair/hair_geometry";
+import { rootDensity, rootsTexture } from "../../../face/hair/hair_roots";
 import { fullStrands, offsetsOn } from "../../../face/hair/hair_strands";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "../../../face/head/collar";
 import { eyeTraitsOf, writeEyeTraits } from "../../../face/head/eye_traits";
@@ -26,6 +27,7 @@ import { skinParts } from "../../../face/skin/skin_parts";
 import { SkinPictures } from "../../../face/skin/skin_pictures";
 import type { Library } from "../../../link/assets";
 import type { FaceDocument } from "../../../link/messages";
+import type { HairStrands } from "../../../link/strands";
 import { loadPicture } from "../../session/asset_loading";
 import type { Box } from "../math/boxes";
 import type { Bounds, Camera } from "../math/camera";
@@ -75,6 +77,7 @@ export class DrawnFaces {
   private readonly pictures: SkinPictures;
   private readonly all: DrawnFace[] = [];
   private readonly free: DrawnFace[] = [];
+  private readonly roots = new Map<HairStrands | undefined, THREE.DataTexture>();
 
   /** layers: the pictures of the skin that all faces share; software: the context draws without a graphics processor. */
   constructor(
@@ -120,6 +123,18 @@ export class DrawnFaces {
       this.pictures.complete(),
     ]);
     return hair && { name, hair, strands: fullStrands(hair, offsetsOn(hair, this.anatomy.positions, rest)) };
+  }
+
+  /** Where the hair of a style grows out of the skin; undefined: the shade of hair on who wears none. */
+  rootsOf(hair: HairStrands | undefined): THREE.DataTexture {
+    const { positions, traits } = this.anatomy;
+    const known = this.roots.get(hair);
+    if (known !== undefined) return known;
+    const texture = rootsTexture(positions.length / 3);
+    const density = hair && rootDensity(hair, positions, this.library.manifest.skin);
+    (texture.image.data as Float32Array).set(density ?? traits.filter((_, at) => at % 4 === 2));
+    this.roots.set(hair, texture);
+    return texture;
   }
 
   /** The looks of a face, with the picture on its skin where that is here. */
@@ -357,6 +372,7 @@ export class DrawnFace {
       this.hair.uniforms.strands.value.dispose();
     }
     this.hair = undefined;
+    this.uniforms.shared.roots.value = this.faces.rootsOf(style?.hair);
     if (style === undefined) return;
     const uniforms = styleUniforms(style, { value: new THREE.Color().setStyle(colour) });
     this.hair = { mesh: ribbons(style, this.uniforms.shared, uniforms, this.faces.still), uniforms };

@@ -24,6 +24,7 @@ const recipeOf = (more: Partial<FaceRecipe> = {}): FaceRecipe => ({
   points: [],
   moves: [],
   gains: [],
+  look: {},
   ...more,
 });
 
