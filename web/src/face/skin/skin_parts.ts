@@ -3,31 +3,45 @@
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import { material, type Uniforms } from "../gpu/renderer";
-import { type CurvedTriangles, divideLong, LONGEST_EDGE } from "./curved_triangles";
+import { CASTING } from "../light/shadow";
+import { type CurvedTriangles, divideLong, LONGEST_EDGE, type Longest } from "./curved_triangles";
 import { SKIN_FRAGMENT, SKIN_VERTEX } from "./skin_shaders";
 
 /** What the skin takes of the generic face, per row: its position (metres), its four traits, and how far it lies behind the lips, whose
  * right and left corner, upper and lower middle are named: four rows. */
 interface SkinRows {
+  readonly lines: ReadonlyMap<string, ArrayLike<number>>;
   readonly positions: Float32Array;
   readonly traits: Float32Array;
   readonly bag: Float32Array;
   readonly lips: readonly number[];
 }
 
+/** How long edges may be on the lips' line, metres on the generic face; beside it longer by as much as they are away. */
+const LONGEST_AT_LIPS = 0.0016;
+
+/** Where the lobes of the generic face's ears are, metres: aside, up, ahead. */
+const LOBE = [
+  [0.064, 0.08],
+  [-0.05, -0.03],
+  [0.044, 0.07],
+] as const;
+
 /** The skin on `geometry` (index and rows of the mesh): its small triangles, then the large ones of crown, nape and neck. */
 export function skinParts(
   geometry: THREE.BufferGeometry,
   mesh: Mesh,
-  { positions, traits, bag, lips }: SkinRows,
+  { positions, traits, bag, lips, lines }: SkinRows,
   common: Uniforms,
+  detail: boolean,
 ): THREE.Mesh[] {
   const shared = { ...common, lipRows: { value: new THREE.Vector4().fromArray([...lips]) } };
   const place = (vertex: number) => {
     const row = mesh.source[vertex] as number;
     return Array.from(positions.subarray(3 * row, 3 * row + 3));
   };
-  const divided = divideLong(mesh.triangles, place, LONGEST_EDGE);
+  const edge = detail ? Array.from(lines.get("lips") ?? []) : [];
+  const divided = divideLong(mesh.triangles, place, longestBeside(edge, positions));
   const seen = Float32Array.from({ length: 4 * mesh.source.length }, (_, at) => {
     return traits[4 * (mesh.source[at >> 2] as number) + (at & 3)] as number;
   });
@@ -37,8 +51,37 @@ export function skinParts(
   geometry.setAttribute("traits", new THREE.BufferAttribute(seen, 4));
   geometry.setAttribute("behind", new THREE.BufferAttribute(behind, 1));
   const parts = [casting(geometry, shared)];
+  geometry.userData[CASTING] = new THREE.BufferAttribute(withoutLobes(divided.flat, place), 1);
   if (divided.curved.length > 0) parts.push(curvedPart(divided, mesh, seen, behind, shared));
   return parts;
+}
+
+/** Triangles without those of the ears' lobes: light goes through them, and what they cast on the neck is a black wedge. */
+function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonly number[]): Uint32Array {
+  const lobe = (vertex: number) =>
+    place(vertex).every((value, axis) => {
+      const [low, high] = LOBE[axis] as readonly [number, number];
+      const at = axis === 0 ? Math.abs(value) : value;
+      return low < at && at < high;
+    });
+  return triangles.filter((_, at) => !lobe(triangles[at - (at % 3)] as number));
+}
+
+/**
+ * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips in a close-up. What
+ * it may be grows no faster than the way from the line, else slivers would be divided without end.
+ */
+function longestBeside(line: readonly number[], positions: Float32Array): Longest {
+  return (middle) => {
+    let nearest = LONGEST_EDGE - LONGEST_AT_LIPS;
+    for (const row of line) {
+      let square = 0;
+      for (let axis = 0; axis < 3; axis++)
+        square += ((positions[3 * row + axis] as number) - (middle[axis] as number)) ** 2;
+      nearest = Math.min(nearest, Math.sqrt(square));
+    }
+    return LONGEST_AT_LIPS + nearest;
+  };
 }
 
 function curvedPart(
