@@ -10,8 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from omote.arrays import Indices, Points, Rows, Values
+from omote.arrays import Floats, Indices, Points, Rows, Values
 from omote.geometry import mesh
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.formats.glb_writer import NO_ROW
@@ -39,7 +40,7 @@ OWN = (0.08, 0.2)
 """How far a tongue that does nothing of its own lies down in an open jaw, in widths of the arch, and how much less its
 root; between which gaps of the edges it does so, and how far its tip has left its place where it does not (`sunk` in
 web/src/face/head/mouth_shaders.ts)."""
-Parts = Mapping[str, Points]
+Parts = Mapping[str, NDArray[np.floating]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,8 +53,8 @@ class DrawnPart:
 
     rows: Rows
     triangles: Indices
-    uv: Values
-    shade: Values
+    uv: Floats
+    shade: Floats
 
 
 class DrawnMouth:
@@ -66,22 +67,24 @@ class DrawnMouth:
         self.parts: dict[str, DrawnPart] = {}
         self._sheets: dict[str, TeethSheet] = {}
         points = {name: part.points for name, part in space.parts.items()}
-        for name in GUMS if fur is not None else ():
-            sheet = teeth_sheet(points[name], upper=_is_upper(name), fur=fur) if name in points else None
+        for name in GUMS:
+            if fur is None or name not in points:
+                continue
+            sheet = teeth_sheet(points[name], upper=_is_upper(name), fur=fur)
             if sheet is not None:
                 self._sheets[name] = sheet
                 self.parts[name] = _teeth(sheet, points[name])
         if len(self._sheets) == len(GUMS) and TONGUE in points:
             self._tongue = _Tongue(points, space.parts[TONGUE].triangles)
-            self.parts[TONGUE] = _with_rows(
-                len(points[TONGUE]), space.parts[TONGUE].triangles, tongue_uv(points[TONGUE]), _shade(points[TONGUE])
-            )
+            at = points[TONGUE]
+            uv = tongue_uv(at).astype(np.float64)
+            self.parts[TONGUE] = _with_rows(len(at), space.parts[TONGUE].triangles, uv, _shade(at))
 
-    def draw(self, meshes: Mapping[str, Points]) -> dict[str, Points]:
+    def draw(self, meshes: Parts) -> dict[str, Points]:
         """Meshes of a head (n, 3), those of its mouth as they are drawn (m, 3), metres."""
-        drawn = dict(meshes)
+        drawn = {name: np.asarray(points, np.float64) for name, points in meshes.items()}
         for name in self.parts:
-            rows = np.asarray(meshes[name], np.float64)
+            rows = drawn[name]
             own = self._tongue.place(meshes) if name == TONGUE else self._sheets[name].weights @ rows
             drawn[name] = np.concatenate([own, np.repeat(rows, 3, axis=0)])
         return drawn
@@ -90,7 +93,7 @@ class DrawnMouth:
 class _Tongue:
     """The cast's tongue with a furrow and thin sides, which lies down in an open jaw."""
 
-    def __init__(self, points: Parts, triangles: Indices) -> None:
+    def __init__(self, points: Mapping[str, Points], triangles: Indices) -> None:
         self._triangles = triangles
         at = points[TONGUE]
         self._tip = int(at[:, 2].argmax())
@@ -114,9 +117,10 @@ class _Tongue:
         own, up, width = self._tip_place(parts)
         upper, lower = (np.asarray(parts[name], np.float64) for name in GUMS)
         gap = (upper[self._upper_edge, 1] - lower[self._jaw[1], 1]) / width
-        still = 1.0 - float(smooth_ramp(*OWN, np.linalg.norm(own - self._rest)))
+        still = 1.0 - float(smooth_ramp(*OWN, np.asarray(np.linalg.norm(own - self._rest))))
         down = SINKS * width * float(smooth_ramp(*OPENS, gap)) * still * (1.0 - ROOT_SINKS * clamp_unit(self._behind))
-        return at + self._over[:, None] * mesh.normals(at, self._triangles) - down[:, None] * up
+        placed: Points = at + self._over[:, None] * mesh.normals(at, self._triangles) - down[:, None] * up
+        return placed
 
     def _tip_place(self, parts: Parts) -> tuple[Values, Values, float]:
         """Where the tip lies in the jaw, up and ahead of its edge in widths of the arch, (2,); the jaw's way up, (3,);
@@ -146,7 +150,8 @@ def _teeth(sheet: TeethSheet, rows: Points) -> DrawnPart:
 def _shade(points: Points) -> Values:
     """What is left of the light on points (n, 3) of an open mouth: by how large its opening looks from there."""
     behind = points[:, 2].max() - points[:, 2]
-    return DEEPEST + (1.0 - DEEPEST) * OPENING / (OPENING + 6.0 * behind**2)
+    left: Values = DEEPEST + (1.0 - DEEPEST) * OPENING / (OPENING + 6.0 * behind**2)
+    return left
 
 
 def _with_rows(count: int, triangles: Indices, uv: Values, shade: Values) -> DrawnPart:

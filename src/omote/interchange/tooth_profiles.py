@@ -173,5 +173,5 @@ def outline(tooth: Tooth, row: ToothRow, t: float, reach: float, /) -> Values:
         (0.85 * high, tooth.depth + 2, -0.6, 0.2),
         (high, tooth.depth + 2, -1.0, 0.5),
     ]
-    inside = np.array([0.0, row.inside, 0.0, 0.0])
-    return np.array(ribs) + inside
+    found: Values = np.array(ribs) + np.array([0.0, row.inside, 0.0, 0.0])
+    return found
