@@ -119,7 +119,8 @@ def _stations() -> list[Station]:
 def _column(station: Station, row: ToothRow, arch: _Arch) -> Values:
     """The places (RIBS, 3) of one column of the sheet, from outer gum to the middle of palate or floor."""
     at = arch.column_at(_arch_place(station[0], row))
-    reach, thick = arch.reach_at(at), arch.thick_at(at)
+    reach = arch.reach_at(at)
+    thick = arch.thick_at(at)
     mean = np.mean([outline(row.teeth[tooth], row, t, reach)[:, :2] for tooth, t, _ in station], axis=0)
     return np.column_stack([np.full(RIBS, at), mean[:, 0] / reach, mean[:, 1] / thick])
 
