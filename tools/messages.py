@@ -27,6 +27,7 @@ from omote.interchange.formats.file_kinds import FILE_CONTENTS
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
+from omote.interchange.tooth_profiles import jaw_table
 from omote.model.fitting.landmarks import SEVEN
 from omote.model.folding import LIDS, RANGE
 from omote.model.hair import STRETCH
@@ -233,6 +234,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "BROW_REACH": ("Metres from the mirror plane to the first and to the last hair of a brow.", REACH),
     "ARCH": ("Metres from the front teeth back to the middle of the dental arch.", ARCH),
     "TOOTH_REACH": ("Radians along the arch within which vertices belong to one tooth's height.", TOOTH_REACH),
+    "JAWS": ("The measures of teeth by jaw and by whose they are, millimetres.", jaw_table()),
     "ARCH_DEPTH": ("Metres behind the front teeth that the teeth's texture spans.", ARCH_DEPTH),
 }
 """What exists in both languages and on no message: name, its comment, its value in Python."""

@@ -15,6 +15,7 @@ from omote.builtin import load_cast
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.interchange.avatar.preset_expressions import EMOTIONS
 from omote.interchange.export_face import close_over_teeth, compound_meshes
+from omote.interchange.formats.glb_writer import NO_ROW
 from omote.model.space.face_fit import fit
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
@@ -99,13 +100,16 @@ def distances(
     ours: where ours are by what is worn; turn: where the model's axes lie. All of them but neutral must move something.
     """
     rest = worn(page, {})
-    rows = {name: numbers(page.evaluate("name => window.avatar.rows(name)", name)).astype(int) for name in rest}
+    told = {name: numbers(page.evaluate("name => window.avatar.rows(name)", name)).astype(int) for name in rest}
+    ours_among = {name: rows != NO_ROW for name, rows in told.items()}
+    rows = {name: told[name][among] for name, among in ours_among.items()}
     shift = (rest["skin"] - ours({})["skin"][rows["skin"]] * turn).mean(axis=0)
     far = {}
     for name, weights in names.items():
         theirs = worn(page, {name: 1.0})
         aim = ours(weights)
-        far[name] = max(float(np.abs(theirs[mesh] - shift - aim[mesh][rows[mesh]] * turn).max()) for mesh in theirs)
+        placed = {mesh: points[ours_among[mesh]] - shift for mesh, points in theirs.items()}
+        far[name] = max(float(np.abs(placed[mesh] - aim[mesh][rows[mesh]] * turn).max()) for mesh in theirs)
         moves = max(float(np.abs(points - rest[mesh]).max()) for mesh, points in theirs.items())
         assert (moves > 10 * NEAR) == (name != "neutral"), name
     return far

@@ -90,19 +90,20 @@ def test_no_seam_shows_in_the_light() -> None:
     np.testing.assert_allclose(skin.normals + skin.targets["smile"].turns, upright, atol=2e-4)
 
 
-@pytest.mark.parametrize("face", ["kaori", "dog"])
-def test_khronos_and_three_take_the_built_in_faces(face: str, built_in: Cast, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("face", "drawn"), [("kaori", False), ("dog", True)])
+def test_khronos_and_three_take_the_built_in_faces(face: str, drawn: bool, built_in: Cast, tmp_path: Path) -> None:
     names = choose_expressions(built_in, "arkit")
     whole = ExportContext(built_in, load_meshes(), load_mask())
     path = tmp_path / "face.glb"
     path.write_bytes(
-        glb_bytes(build_scene(whole, face, ((name, named_compound_meshes(built_in, face, name)) for name in names)))
+        glb_bytes(build_scene(whole, face, ((n, named_compound_meshes(built_in, face, n)) for n in names), drawn=drawn))
     )
     (found,) = inspect([path])
     assert found["validator"]["said"] == []
     assert found["three"]["root"] == [face]
     hair = {"hair"} if built_in.looks[face].hair_style else set()
-    assert found["three"]["meshes"].keys() == {"skin", *built_in.space.parts} | hair
+    collar = {"collar"} if drawn else set()
+    assert found["three"]["meshes"].keys() == {"skin", *built_in.space.parts} | hair | collar
     assert len(names) == ARKIT
     for each in found["three"]["meshes"].values():
         assert each["targets"] == {name: place for place, name in enumerate(names)}

@@ -102,13 +102,18 @@ class MouthViews:
     def _pierced(self, points: Values) -> float:
         """The greatest distance to the skin of teeth that lie outside of it, other than through the open lips."""
         teeth = self._triangles[(self._kind == 2) | (self._kind == 3)]
-        tested = np.einsum("sk,tkc->tsc", PLACES, points[teeth]).reshape(-1, 3)
-        corners = self._corners(points, self._sheet)
+        return self.measure_pierced(points, points[teeth])
+
+    def measure_pierced(self, skin: Values, triangles: Values) -> float:
+        """The greatest distance to the skin (V, 3) of triangles (t, 3, 3) of teeth outside of it, other than through
+        the open lips, metres."""
+        tested = np.einsum("sk,tkc->tsc", PLACES, triangles).reshape(-1, 3)
+        corners = self._corners(skin, self._sheet)
         away, at = nearest_triangles(corners, tested)
         normal = np.cross(corners[at, 1] - corners[at, 0], corners[at, 2] - corners[at, 0])
         out = np.flatnonzero((((tested - corners[at, 0]) * normal).sum(axis=1) > 0) & (away > 1e-4))
-        out = out[winding_numbers(self._corners(points, self._closed), tested[out]) < 0.5]
-        through, _ = nearest_triangles(self._corners(points, self._membrane), tested[out])
+        out = out[winding_numbers(self._corners(skin, self._closed), tested[out]) < 0.5]
+        through, _ = nearest_triangles(self._corners(skin, self._membrane), tested[out])
         return float(away[out][away[out] < through].max(initial=0.0))
 
     def _buried(self, points: Values) -> float:

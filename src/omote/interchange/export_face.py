@@ -14,6 +14,7 @@ from omote.builtin import BakedMesh
 from omote.geometry import mesh
 from omote.interchange import part_textures
 from omote.interchange.collar_mesh import collar_shape
+from omote.interchange.drawn_mouth import DrawnMouth, DrawnPart
 from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, Shape
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.interchange.name_choices import choose_expressions as choose_expressions
@@ -145,33 +146,39 @@ def build_scene(
     /,
     *,
     hair: bool = True,
-    collar: bool = False,
+    drawn: bool = False,
 ) -> ExportScene:
     """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
     ValueError for a face that is not in the cast, and for reserved names.
 
-    context, face: of the cast; hair: whether it comes along; collar: whether its neck ends in one.
+    context, face: of the cast; hair: whether it comes along; drawn: whether it has a mouth as stages draw it and its
+    neck ends in a collar, in place of the head's own vertices alone.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
     fitted = fit(cast.space, cast.faces[face])
     look = cast.looks[face]
-    rest = meshes_of(fitted)
-    corners = {name: _corners(cast, name) for name in rest}
+    mouth = DrawnMouth(cast.space, look.fur if drawn else None)
+    rest = mouth.draw(meshes_of(fitted))
+    corners = {name: mouth.parts[name].triangles if name in mouth.parts else _corners(cast, name) for name in rest}
     upright = {name: mesh.normals(rest[name], corners[name]) for name in rest}
     targets: dict[str, dict[str, MorphTarget]] = {name: {} for name in rest}
     for expression, meshes in close_over_teeth(cast.space, fitted, dict(poses)).items():
+        worn = mouth.draw(meshes)
         for name in rest:
-            targets[name][expression] = _target(rest[name], meshes[name], corners[name], upright[name])
-    surfaces = _materials(context, look)
+            targets[name][expression] = _target(rest[name], worn[name], corners[name], upright[name])
+    surfaces = _materials(context, look, mouth)
     shapes = [
-        _shape(context, fitted, part, upright[part.name], targets[part.name], surfaces) for part in context.meshes
+        _drawn_shape(part.name, mouth.parts[part.name], rest, upright, targets, surfaces)
+        if part.name in mouth.parts
+        else _shape(context, fitted, part, upright[part.name], targets[part.name], surfaces)
+        for part in context.meshes
     ]
     style = cast.hair.get(look.hair_style)
     if hair and style is not None:
         shapes.append(hair_shape(style, cast.space.points, fitted.positions, targets[SKIN], look))
-    if collar:
+    if drawn:
         shapes.append(collar_shape(cast.space, fitted.positions, targets[SKIN]))
     return ExportScene(face, shapes, {"notice": NOTICE, "cast": cast.digest, "units": "metres", "rows": "_VID"})
 
@@ -240,6 +247,28 @@ def _shape(
     )
 
 
+def _drawn_shape(
+    name: str,
+    part: DrawnPart,
+    rest: Meshes,
+    upright: Meshes,
+    targets: Mapping[str, Mapping[str, MorphTarget]],
+    surfaces: Mapping[str, Material],
+) -> Shape:
+    """A part of the mouth as it is drawn."""
+    return Shape(
+        name=name,
+        points=rest[name].astype(np.float32),
+        normals=upright[name].astype(np.float32),
+        uv=part.uv,
+        rows=part.rows,
+        triangles=part.triangles,
+        material=surfaces[name],
+        targets=targets[name],
+        shade=part.shade,
+    )
+
+
 def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     """The places that the mesh's picture is painted for: the cast's own for the skin."""
     if part.name == SKIN:
@@ -257,8 +286,9 @@ def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     return part_textures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
 
 
-def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
+def _materials(context: ExportContext, look: Look, mouth: DrawnMouth) -> dict[str, Material]:
     """The material of each mesh."""
+    jaw = replace(_textured_material("teeth", part_textures.paint_jaw(look), roughness=0.25), both=True)
     lashes = _lashes(look)
     eye = _textured_material("eye", part_textures.paint_eye(look), roughness=0.15)
     return {
@@ -267,8 +297,7 @@ def _materials(context: ExportContext, look: Look) -> dict[str, Material]:
         ),
         "eye_left": eye,
         "eye_right": eye,
-        "teeth_upper": _teeth("teeth_upper", look),
-        "teeth_lower": _teeth("teeth_lower", look),
+        **{name: jaw if name in mouth.parts else _teeth(name, look) for name in GUMS},
         TONGUE: replace(_textured_material(TONGUE, part_textures.paint_tongue(), roughness=0.35), both=True),
         LASHES: replace(_textured_material(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
     }

@@ -178,13 +178,16 @@ def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
 def _gather(
     cast: Cast, gathered: dict[str, tuple[Points, dict[str, Points]]], name: str, rows: NDArray[np.int64], piece: Piece
 ) -> None:  # fmt: skip
-    """Adds a piece's vertices to its mesh; doubled vertices of the skin share one position."""
+    """Adds a piece's vertices to its mesh; doubled vertices of the skin share one position. What is drawn alone has no
+    row (below 0)."""
+    ours = np.flatnonzero(rows >= 0)
+    rows = rows[ours]
     count = sizes(cast)[name]
     rest, moves = gathered.setdefault(name, (np.full((count, 3), np.nan), {}))
     twins = cast.space.welded if name == SKIN else np.arange(count)
-    _fill(rest, rows, piece.points, twins)
+    _fill(rest, rows, piece.points[ours], twins)
     for label, moved in piece.moves.items():
-        _fill(moves.setdefault(label, np.full((count, 3), np.nan)), rows, moved, twins)
+        _fill(moves.setdefault(label, np.full((count, 3), np.nan)), rows, moved[ours], twins)
         np.copyto(moves[label], 0.0, where=np.isnan(moves[label]) & ~np.isnan(rest))
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from omote.arrays import Picture
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.skin_texture import decode_srgb
+from omote.interchange.tooth_profiles import TEETH
 from omote.model.albedo import encode_light
 from omote.model.cast import Look
 
@@ -147,6 +148,37 @@ def paint_teeth(look: Look, *, upper: bool, size: int = 512) -> Picture:
     pink = _interpolate((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), smooth_ramp(-0.16, 0.0, height - line))
     there = np.where(height > end + 0.02, 0, 255).astype(np.uint8)[..., None]
     return np.concatenate([encode_light(enamel + (pink - enamel) * gum), there], axis=2)
+
+
+def paint_jaw(look: Look, size: int = 1024) -> Picture:
+    """A jaw (size / 4, size, 3) as stages draw it: teeth across from the right end, from their edges on top to the gum
+    line in the middle, and gums from there to palate or floor.
+
+    look: for its age; size: pixels.
+    """
+    number = np.clip(((np.arange(size) + 0.5) / size) * 2 * TEETH, 0.0, 2 * TEETH - 1e-9)
+    height = 1.0 - 2.0 * ((np.arange(size // 4) + 0.5) / (size // 4))[:, None]
+    tooth = np.floor(number)
+    across = np.abs(2.0 * (number - tooth) - 1.0)
+    from_middle = np.abs(tooth - (TEETH - 0.5)) - 0.5
+    shade = 1.0 + 0.06 * (_chance(tooth) - 0.5)
+    enamel = _interpolate((0.84, 0.73, 0.56), (0.93, 0.88, 0.79), smooth_ramp(0.0, 0.55, height) + 0.0 * number)
+    enamel = enamel + (0.76 - enamel) * (0.4 * smooth_ramp(0.86, 1.0, height))[..., None]
+    enamel = enamel * (1.0 + look.age * (np.array([0.93, 0.84, 0.66]) - 1.0)) * shade[:, None]
+    between = smooth_ramp(0.72, 1.0, across) * smooth_ramp(0.0, 0.15, height)
+    enamel = enamel * (1.0 + between[..., None] * (np.array([0.62, 0.50, 0.43]) - 1.0))
+    enamel = enamel * (1.0 - 0.28 * smooth_ramp(1.5, 5.5, from_middle))[:, None]
+    pink = _interpolate((0.62, 0.28, 0.26), (0.50, 0.15, 0.14), smooth_ramp(0.1, 0.7, -height) + 0.0 * number)
+    gum = 1.0 - smooth_ramp(-0.02, 0.02, height)[..., None]
+    line = 0.74 + 0.26 * smooth_ramp(0.0, 0.07, np.abs(height))[..., None]
+    return encode_light((enamel + (pink - enamel) * gum) * line)
+
+
+def _chance(number: Values) -> Values:
+    """Noise of whole numbers, 0 to 1, as shaders have it."""
+    wave = np.sin(number * 12.9) * 43.7
+    result: Values = wave - np.floor(wave)
+    return result
 
 
 def _teeth_at(angle: Values, *, upper: bool) -> tuple[Values, Values]:

@@ -30,6 +30,10 @@ PEOPLE: Mapping[str, Person] = {
             "head/head-oval": 0.35,
             "chin/chin-width-decr": 0.25,
             "chin/chin-height-decr": 0.15,
+            "chin/chin-bones-decr": 0.5,
+            "chin/chin-jaw-drop-decr": 0.9,
+            "chin/chin-triangle": 0.2,
+            "neck/neck-double-decr": 0.8,
             "eyes/*-eye-scale-incr": 0.65,
             "eyes/*-eye-height2-incr": 0.3,
             "eyes/*-eye-corner2-up": 0.15,
@@ -177,7 +181,14 @@ PEOPLE: Mapping[str, Person] = {
     ),
     "man": Person(
         build=Build(gender=1.0, age=0.55, muscle=0.7, race={"african": 0.85, "caucasian": 0.15}),
-        shape={"chin/chin-prominent-incr": 0.3, "head/head-square": 0.3, "mouth/mouth-lowerlip-middle-down": 0.35},
+        shape={
+            "chin/chin-prominent-incr": 0.3,
+            "chin/chin-bones-decr": 0.4,
+            "chin/chin-jaw-drop-decr": 1.0,
+            "head/head-triangular": 0.7,
+            "neck/neck-double-decr": 1.0,
+            "mouth/mouth-lowerlip-middle-down": 0.35,
+        },
         look={
             "skin": "#714a39",
             "lip": "#7c3f38",

@@ -47,6 +47,9 @@ def make_up(texels: Texels) -> Floats:
     return np.asarray(np.maximum(line, shadow) * ramp(places[:, 2], 0.1, 0.12))
 
 
+_DOWN = np.array([0.0, -0.007, -0.002])  # metres: as long as the strands of a nape are seen
+
+
 def mask_paint(texels: Texels) -> Floats:
     """What is painted on a Noh mask in ink (n,), 0 to 1: high brows, parted hair, three loose strands."""
     places = texels.places
@@ -56,12 +59,18 @@ def mask_paint(texels: Texels) -> Floats:
     edge = 0.081 - 18.0 * np.clip(x - 0.01, 0.0, 1.0) ** 2 + 0.004 * ramp(x, 0.006, 0.0)
     parting = ramp(x, 0.0004, 0.0014)
     hair = ramp(y, edge - 0.0007, edge + 0.0007) * parting
-    behind = ramp(z, 0.066, 0.062) * ramp(y, -0.05, -0.045)
+    nape = (
+        -0.062
+        + 9.0 * x**2
+        + 0.012 * (strand_noise(places, np.broadcast_to(_DOWN, places.shape), 0.0011, seed=SEED + 11) - 0.5)
+    )
+    behind = ramp(z, 0.066, 0.062) * ramp(y, nape - 0.002, nape + 0.004)
     strands = sum(
         ramp(np.abs(y - (edge - down) + 0.25 * down), 0.0011, 0.0005) * ramp(x, 0.012 + 3 * down, 0.02 + 3 * down)
         for down in (0.0035, 0.007, 0.0105)
     )
-    ears = np.maximum(ramp(x, 0.0735, 0.0715), ramp(y, 0.011, 0.015))
+    skull = 0.0725 + 0.005 * ramp(z, 0.048, 0.03)  # behind the ears it is as wide as they are before
+    ears = np.maximum(ramp(x, skull + 0.001, skull - 0.001), ramp(y, 0.011, 0.015))
     return np.asarray(
         np.clip(np.maximum(np.maximum(0.9 * brow, hair), np.maximum(behind, 0.9 * strands)) * ears, 0.0, 1.0)
     )

@@ -78,7 +78,7 @@ def vrm_bytes(
     fitted = fit(cast.space, cast.faces[face])
     skeleton = build_skeleton(cast.space, fitted)
     ears = find_ear_bones(cast.space, cast.faces[face], skeleton.shift)
-    scene = _stand(build_scene(context, face, worn.items(), hair=hair, collar=True), skeleton)
+    scene = _stand(build_scene(context, face, worn.items(), hair=hair, drawn=True), skeleton)
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
     expressions = describe_expressions(scene.shapes, presets, customs, overrides)

@@ -61,7 +61,7 @@ def animated_head(
         For a face that is not in the cast.
     """
     worn = dict(poses)
-    scene = build_scene(context, face, worn.items(), hair=True, collar=True)
+    scene = build_scene(context, face, worn.items(), hair=True, drawn=True)
     store = Store()
     document = describe_scene(scene, store)
     weights = frames.turning_eyes(context.cast.expressions)

@@ -93,7 +93,7 @@ def encode_face(
     if kind == VRM:
         own = context.cast.faces.get(face) is not builtin.load_cast().faces.get(face)
         return {name: vrm_bytes(context, face, poses, credit or Credit(()), own=own, hair=hair)}
-    return SCENES[kind](build_scene(context, face, poses, hair=hair, collar=kind == GLB), stem)
+    return SCENES[kind](build_scene(context, face, poses, hair=hair, drawn=kind not in (OBJ, OBJ_FOLDER)), stem)
 
 
 def pack_files(files: Files, /) -> bytes:

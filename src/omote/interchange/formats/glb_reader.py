@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.geometry.mesh import FARTHEST, rows_out_of_reach
-from omote.interchange.formats.glb_writer import ROWS
+from omote.interchange.formats.glb_writer import NO_ROW, ROWS
 from omote.interchange.formats.gltf_document import (
     Document,
     Mesh,
@@ -124,6 +124,6 @@ class _Reader(SceneReader):
         if ROWS not in primitive.attributes:
             return None
         rows = self.numbers(primitive.attributes[ROWS], 1, ROWS, count)[:, 0]
-        if len(rows) != count or (rows != np.rint(rows)).any() or (rows < 0).any():
+        if len(rows) != count or (rows != np.rint(rows)).any() or (rows < NO_ROW).any():
             raise ValueError(f"{ROWS} holds no vertex for each of {count}; export the face from Omote anew")
         return rows.astype(np.int64)

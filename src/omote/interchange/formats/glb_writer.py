@@ -36,6 +36,8 @@ MIPMAPS = 9987
 CLAMP = 33071
 ROWS = "_VID"
 """The attribute that says which vertex of the cast a vertex is, for programs that keep what they do not know."""
+NO_ROW = -1
+"""Of a vertex that is none of the cast's: it is drawn alone."""
 RESERVED = frozenset({"", "Basis"})
 """No names of targets: Blender leaves out the empty one and keeps the other for the mesh at rest."""
 GENERATOR = "Omote"
@@ -69,8 +71,8 @@ class Material:
 class Shape:
     """A mesh under the root: points and normals (n, 3), uv (n, 2), triangles (t, 3), targets by name.
 
-    points are metres from `place`; rows (n,): the vertices of the cast that these are; shade (n,): what is left of the
-    light, 0..1. Raises ValueError where arrays do not belong together.
+    points are metres from `place`; rows (n,): the vertices of the cast that these are, or NO_ROW; shade (n,): what is
+    left of the light, 0..1. Raises ValueError where arrays do not belong together.
     """
 
     name: str

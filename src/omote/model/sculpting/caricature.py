@@ -23,6 +23,10 @@ from omote.model.space.skin_sheet import refuse_axis_outside
 
 # Stretches stay within these factors of one in their logarithm per unit of growth: a wrinkle is no form.
 _MOST = np.log(3.0)
+# A turn grows by as much as it is up to the first, radians, and never by more than the second: a cat's ears, which sit
+# a radian from where people have theirs, would fold over its head. Nine tenths of any person turn by less than 0.2.
+_TURNS_WHOLE = 0.3
+_TURNS_MOST = 0.45
 # How hard the middle of the head holds its place, so that the sum of all gradients has one solution.
 _HOLD = 1e-9
 # Edge of a cell in which triangles are averaged together, in bells.
@@ -38,15 +42,16 @@ def extrapolate(generic: Values, face: Values, triangles: Triangles, amount: flo
     triangles: rows (F, 3) of vertices.
 
     Each triangle's deformation gradient (Sumner and Popovic 2004) is a rotation and a stretch; the logarithms of both,
-    averaged over a bell of that width in metres, times amount are its growth, and the positions whose gradients come
-    nearest to all grown ones follow (Yu et al. 2004). Amount zero gives the face. Its middle goes on straight ahead.
+    averaged over a bell of that width in metres, times amount are its growth, that of a rotation within bounds, and the
+    positions whose gradients come nearest to all grown ones follow (Yu et al. 2004). Amount zero gives the face. Its
+    middle goes on straight ahead.
     """
     rotation, stretch = _turn_and_stretch(generic, face, triangles)
     turn = _average(generic, triangles, Rotation.from_matrix(rotation).as_rotvec(), bell)
     stretch = _average(generic, triangles, stretch, bell)
     # The stretch is known in the generic face's frame; the face's own rotation brings it to where it acts.
     acting = rotation @ _exponential(amount * stretch) @ rotation.transpose(0, 2, 1)
-    wanted = Rotation.from_rotvec(amount * turn).as_matrix() @ acting @ _frames(face, triangles)[:, :, :2]
+    wanted = Rotation.from_rotvec(_bounded(amount * turn)).as_matrix() @ acting @ _frames(face, triangles)[:, :, :2]
     result = _integrate_edges(face, triangles, wanted)
     middle = _middle(face, triangles) + amount * (_middle(face, triangles) - _middle(generic, triangles))
     return result + middle - _middle(result, triangles)
@@ -92,6 +97,15 @@ def _turn_and_stretch(generic: Values, face: Values, triangles: Triangles) -> tu
     sizes = np.clip(np.log(np.maximum(sizes, 1e-9)), -_MOST, _MOST)
     stretch: Values = (right.transpose(0, 2, 1) * sizes[:, None]) @ right
     return left @ right, stretch
+
+
+def _bounded(turns: Values) -> Values:
+    """Turns (T, 3), rotation vectors, as they are up to a bound and then less and less more, without a corner."""
+    angle = np.linalg.norm(turns, axis=1, keepdims=True)
+    over = np.maximum(angle - _TURNS_WHOLE, 0.0)
+    room = _TURNS_MOST - _TURNS_WHOLE
+    bounded: Values = turns * (np.minimum(angle, _TURNS_WHOLE) + room * over / (room + over)) / np.maximum(angle, 1e-12)
+    return bounded
 
 
 def _exponential(logs: Values) -> Values:

@@ -143,7 +143,7 @@ function drawn(mesh: Mesh, from: HeadParts, cages: Cages): THREE.Mesh[] {
     case "tongue":
       return mouthParts(geometryOf(mesh), mesh, anatomy, cages, shared, features);
     default:
-      return skinParts(geometryOf(mesh), mesh, anatomy, shared);
+      return skinParts(geometryOf(mesh), mesh, anatomy, shared, features.detail);
   }
 }
 

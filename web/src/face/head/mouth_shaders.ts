@@ -142,22 +142,47 @@ void main() {
 }
 `;
 
+/** The share of a row of teeth, from its gum's end to its edge, that is not drawn: 3 mm, as of the sheet (SHORT). */
+const GUM_END = "0.16";
+
 /** Teeth as strips: each with its own width, length and roundness, gum that climbs between them. */
 export const TEETH_FRAGMENT = `${MOUTH_HEAD}
 in vec4 vPlace;
 uniform float age;
+uniform float fur;
+
+/** A tooth's width on the arch, radians, by its number from the middle: of a person, of a carnivore. */
+float wideAt(int n, float upper) {
+  float person = n == 0 ? mix(0.180, 0.268, upper) : n == 1 ? mix(0.195, 0.212, upper) : n < 5 ? 0.235 : 0.330;
+  float carnivore = n < 3 ? mix(0.134, 0.162, upper) : n == 3 ? 0.228 : n == 5 ? 0.413 : 0.298;
+  return mix(person, carnivore, fur);
+}
 
 /** Place across the tooth (-1..1), half its width in radians, its number from the middle. */
 vec3 toothAt(float angle, float upper) {
   float from = 0.0;
   float far = abs(angle);
   for (int n = 0; n < 7; n++) {
-    float wide = n == 0 ? mix(0.180, 0.268, upper) : n == 1 ? mix(0.195, 0.212, upper) : n < 5 ? 0.235 : 0.330;
+    float wide = wideAt(n, upper);
     if (far < from + wide || n == 6) return vec3((2.0 * (far - from) / wide - 1.0) * sign(angle), 0.5 * wide, float(n));
     from += wide;
   }
   return vec3(0.0);
 }
+
+/** Where the tooth ends, from the gum's end (0) to the row's edge (1). */
+float endOf(vec3 tooth, float upper) {
+  float across = abs(tooth.x);
+  float sides = across * across;
+  // Rounded corners, the upper lateral teeth a little shorter, canines pointed.
+  float person = 1.0 - 0.075 * sides * sides * sides - (tooth.z == 2.0 ? 0.07 * across : 0.0) - (tooth.z == 1.0 ? 0.05 * upper : 0.0);
+  // Three small incisors, a fang, and cheek teeth that cut.
+  float carnivore = tooth.z < 3.0 ? 0.70 - 0.12 * sides : tooth.z == 3.0 ? 1.0 - 0.52 * across : 0.84 - 0.28 * pow(across, 1.3);
+  return mix(person, carnivore, fur);
+}
+
+/** The gum ends so far above the row's own end, where it comes through cheeks first. */
+const float GUM_END = ${GUM_END};
 
 void main() {
   float upper = vPlace.w;
@@ -165,10 +190,7 @@ void main() {
   float across = tooth.x;
   float sides = across * across;
   float height = vPlace.z;
-  // The edge: rounded corners, the upper lateral teeth a little shorter, canines pointed.
-  float point = tooth.z == 2.0 ? 0.07 : 0.0;
-  float end = 1.0 - 0.075 * sides * sides * sides - point * abs(across) - (tooth.z == 1.0 ? 0.05 * upper : 0.0);
-  float cover = end + 0.02 - height;
+  float cover = min(endOf(tooth, upper) + 0.02 - height, height - GUM_END);
 #ifdef SOFT
   cover = clamp(cover / max(fwidth(cover), 1e-4) + 0.5, 0.0, 1.0);
 #endif

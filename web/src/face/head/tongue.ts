@@ -40,7 +40,7 @@ export function tongueParts(
     const row = mesh.source[vertex] as number;
     return Array.from(positions.subarray(3 * row, 3 * row + 3));
   };
-  const divided = divideLong(mesh.triangles, place, LONGEST);
+  const divided = divideLong(mesh.triangles, place, () => LONGEST);
   const rows = Float32Array.from(divided.corners, (vertex) => mesh.source[vertex] as number);
   const curved = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(divided.flat, 1));

@@ -1,5 +1,7 @@
 /** The measures of teeth, and the outline of one across its width: crown, gum line and what lies behind. */
 
+import { JAWS as MEASURES } from "../../link/constants";
+
 /** A tooth; millimetres. */
 export interface Tooth {
   readonly width: number;
@@ -33,84 +35,7 @@ export interface Jaw {
   readonly carnivore: Row;
 }
 
-const tooth = (
-  width: number,
-  height: number,
-  depth: number,
-  edge: number,
-  corner: number,
-  power: number,
-  hollow = 0,
-  over = 0,
-): Tooth => ({ width, height, depth, edge, corner, power, hollow, over });
-
-/**
- * Widths and heights of the upper front teeth as measured (P. Magne, G. O. Gallucci, U. C. Belser, 2003: centrals 8.3 to 9.2
- * by 9.4 to 11, laterals 7.1 to 7.4, canines 7.9, premolars 7.8); molars, lower teeth and depths by the dentist's rule of
- * thumb. A carnivore has a third small incisor where people have the canine, and its fang behind it.
- */
-export const JAWS: { readonly upper: Jaw; readonly lower: Jaw } = {
-  upper: {
-    person: {
-      over: 0,
-      inside: 0,
-      vault: 4,
-      teeth: [
-        tooth(8.6, 10.4, 6.6, 1.3, 0.7, 5),
-        tooth(6.8, 9.4, 6.0, 1.2, 0.9, 4, 0, -0.45),
-        tooth(7.7, 10.2, 7.2, 1.4, 1.6, 1.7, 0, 0.1),
-        tooth(7.1, 8.6, 8.6, 5.2, 1.3, 2, 1.2, -0.3),
-        tooth(6.9, 8.2, 8.6, 5.4, 1.4, 1.8, 1.3, -0.4),
-        tooth(10.2, 7.4, 10.0, 6.6, 1.3, 2.4, 1.5, -0.4),
-        tooth(9.4, 7.0, 10.0, 6.6, 1.3, 2.4, 1.5, -0.5),
-      ],
-    },
-    carnivore: {
-      over: 0,
-      inside: 0.6,
-      vault: 4,
-      teeth: [
-        tooth(5.0, 6.0, 5.0, 1.2, 1.6, 2.2, 0, -1.5),
-        tooth(5.0, 6.2, 5.0, 1.2, 1.8, 2.2, 0, -1.3),
-        tooth(5.6, 7.6, 5.4, 1.0, 2.8, 1.6, 0, -0.6),
-        tooth(7.6, 13.0, 6.6, 2.2, 8.5, 1.2, 0, 4.2),
-        tooth(9.5, 6.6, 5.2, 1.0, 4.8, 1.3, 0, -1.6),
-        tooth(13.0, 9.0, 6.4, 1.2, 6.2, 1.25, 0, 0.2),
-        tooth(9.6, 6.4, 8.0, 3.6, 3.6, 1.5, 0.8, -1.0),
-      ],
-    },
-  },
-  lower: {
-    person: {
-      over: 1.6,
-      inside: 2.4,
-      vault: -1,
-      teeth: [
-        tooth(5.2, 9.0, 5.8, 1.2, 0.6, 4),
-        tooth(5.8, 9.2, 5.9, 1.2, 0.7, 3.4),
-        tooth(6.9, 10.2, 7.0, 1.4, 1.9, 1.5, 0, 0.3),
-        tooth(7.0, 8.6, 7.4, 4.6, 1.6, 1.7, 1.1, -0.3),
-        tooth(7.1, 8.2, 7.8, 5.0, 1.4, 1.9, 1.2, -0.5),
-        tooth(11.0, 7.4, 9.4, 6.4, 1.2, 2.4, 1.5, -0.6),
-        tooth(10.4, 7.0, 9.4, 6.4, 1.2, 2.4, 1.5, -0.7),
-      ],
-    },
-    carnivore: {
-      over: 1.0,
-      inside: 3.0,
-      vault: -1,
-      teeth: [
-        tooth(4.0, 5.4, 4.6, 1.1, 1.3, 2.2, 0, -1.8),
-        tooth(4.2, 5.6, 4.6, 1.1, 1.5, 2.2, 0, -1.6),
-        tooth(4.6, 6.4, 5.0, 1.0, 2.2, 1.8, 0, -1.2),
-        tooth(7.0, 12.5, 6.2, 2.0, 8.5, 1.2, 0, 4.2),
-        tooth(9.5, 6.2, 4.8, 1.0, 4.4, 1.3, 0, -2.0),
-        tooth(13.5, 8.6, 5.8, 1.1, 5.8, 1.25, 0, -0.4),
-        tooth(9.6, 6.0, 7.0, 3.2, 3.2, 1.5, 0.8, -1.6),
-      ],
-    },
-  },
-};
+export const JAWS: { readonly upper: Jaw; readonly lower: Jaw } = MEASURES;
 
 /** Rows across a jaw: from the outer gum over the crown to the inner gum, then to the middle of palate or floor. */
 export const RIBS = 18;

@@ -5,6 +5,9 @@ import { material } from "../gpu/renderer";
 import type { Light } from "./lights";
 import { DEPTH, HEIGHT_FRAGMENT, REACH } from "./shadow_shaders";
 
+/** The key of a geometry's user data that holds the triangles which cast a shadow, where not all do. */
+export const CASTING = "casting";
+
 /** The middle of the head and its neck, metres. */
 const CENTRE = new THREE.Vector3(0, -0.02, 0.03);
 /** From the shadow's camera to the middle, metres. */
@@ -92,6 +95,7 @@ export class Shadow {
       if (!standing.has(mesh)) {
         this.scene.remove(drawn);
         (drawn.material as THREE.Material).dispose();
+        if (drawn.geometry !== mesh.geometry) drawn.geometry.dispose();
         this.casters.delete(mesh);
       }
     for (const mesh of standing)
@@ -122,7 +126,16 @@ function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
   });
   depth.defines = { ...defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) };
   depth.side = THREE.DoubleSide;
-  const drawn = new THREE.Mesh(mesh.geometry, depth);
+  const drawn = new THREE.Mesh(castingOf(mesh.geometry), depth);
   drawn.frustumCulled = false;
   return drawn;
+}
+
+/** The geometry with those triangles alone that cast a shadow. */
+function castingOf(geometry: THREE.BufferGeometry): THREE.BufferGeometry {
+  const triangles = geometry.userData[CASTING] as THREE.BufferAttribute | undefined;
+  if (triangles === undefined) return geometry;
+  const casting = new THREE.BufferGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) casting.setAttribute(name, attribute);
+  return casting.setIndex(triangles);
 }

@@ -34,7 +34,7 @@ const triangles = Uint32Array.from(
 const place = (vertex: number) => places[vertex] as readonly number[];
 
 describe("large triangles", () => {
-  const { flat, curved, corners, shares } = divideLong(triangles, place, 0.4);
+  const { flat, curved, corners, shares } = divideLong(triangles, place, () => 0.4);
   const point = (own: number) =>
     [0, 1, 2].map((axis) =>
       [0, 1, 2].reduce(
@@ -70,8 +70,36 @@ describe("large triangles", () => {
   });
 
   it("that are small stay as they are", () => {
-    const small = divideLong(triangles, place, 2);
+    const small = divideLong(triangles, place, () => 2);
     expect(small.flat).toEqual(triangles);
     expect(small.curved).toHaveLength(0);
+  });
+
+  it("leave no crack where edges may be longer in one place than in another", () => {
+    const uneven = divideLong(triangles, place, (middle) => 0.15 + 0.5 * Math.max(0, 0.4 - (middle[1] as number)));
+    const at = (own: number) =>
+      [0, 1, 2]
+        .map((axis) =>
+          [0, 1, 2].reduce(
+            (sum, corner) =>
+              sum +
+              (uneven.shares[3 * own + corner] as number) *
+                (place(uneven.corners[3 * own + corner] as number)[axis] as number),
+            0,
+          ),
+        )
+        .map((value) => value.toFixed(6))
+        .join();
+    const names = [
+      ...Array.from(uneven.curved, at),
+      ...Array.from(uneven.flat, (v) =>
+        place(v)
+          .map((x) => x.toFixed(6))
+          .join(),
+      ),
+    ];
+    const sides = new Set(names.map((name, n) => `${name} ${names[n - (n % 3) + ((n + 1) % 3)]}`));
+    expect(sides.size).toBe(names.length);
+    for (const side of sides) expect(sides).toContain(side.split(" ").reverse().join(" "));
   });
 });

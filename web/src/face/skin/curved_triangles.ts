@@ -24,15 +24,18 @@ const CORNERS: readonly Point[] = [
   [0, 0, 1],
 ];
 
+/** How long an edge may be, metres, by where its middle lies: it grows no faster than the way, so that all divisions end. */
+export type Longest = (middle: readonly number[]) => number;
+
 /**
- * Divides every triangle with an edge over `longest` by bisecting its longest edge until none is (M.-C. Rivara, 1984).
- * Whether an edge is divided is a matter of the edge alone, so both of its sides have the same points and no crack opens.
- * `triangles`: vertices of the mesh; `place`: a vertex's position, metres.
+ * Divides every triangle with an edge over `longest` by bisecting its longest edge until none is (M.-C. Rivara, 1984):
+ * the longest by what it may be. Whether an edge is divided is a matter of the edge alone, so both of its sides have the
+ * same points and no crack opens. `triangles`: vertices of the mesh; `place`: a vertex's position, metres.
  */
 export function divideLong(
   triangles: Uint32Array,
   place: (vertex: number) => readonly number[],
-  longest: number,
+  longest: Longest,
 ): CurvedTriangles {
   const own = new OwnVertices();
   const [flat, curved]: [number[], number[]] = [[], []];
@@ -52,10 +55,17 @@ export function divideLong(
 }
 
 /** The parts of a triangle, each three points in the triangle's own winding. */
-function divide(part: readonly Point[], places: readonly (readonly number[])[], longest: number): (readonly Point[])[] {
-  const lengths = part.map((point, at) => distance(point, part[(at + 1) % 3] as Point, places));
+function divide(
+  part: readonly Point[],
+  places: readonly (readonly number[])[],
+  longest: Longest,
+): (readonly Point[])[] {
+  const lengths = part.map((point, at) => {
+    const other = part[(at + 1) % 3] as Point;
+    return distance(point, other, places) / longest(between(point, other, places));
+  });
   const length = Math.max(...lengths);
-  if (length <= longest) return [part];
+  if (length <= 1) return [part];
   const first = lengths.indexOf(length);
   const [a, b, c] = [part[first], part[(first + 1) % 3], part[(first + 2) % 3]] as [Point, Point, Point];
   const middle: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
@@ -70,6 +80,16 @@ function distance(point: Point, other: Point, places: readonly (readonly number[
     ),
   );
   return Math.hypot(...along);
+}
+
+/** Where the middle of two points lies. */
+function between(point: Point, other: Point, places: readonly (readonly number[])[]): number[] {
+  return [0, 1, 2].map((axis) =>
+    places.reduce(
+      (sum, place, at) => sum + 0.5 * ((point[at] as number) + (other[at] as number)) * (place[axis] as number),
+      0,
+    ),
+  );
 }
 
 /** Numbers the points of the divided part: a point that two triangles share is one vertex. */

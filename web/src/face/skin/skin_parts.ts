@@ -3,12 +3,14 @@
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import { material, type Uniforms } from "../gpu/renderer";
-import { type CurvedTriangles, divideLong, LONGEST_EDGE } from "./curved_triangles";
+import { CASTING } from "../light/shadow";
+import { type CurvedTriangles, divideLong, LONGEST_EDGE, type Longest } from "./curved_triangles";
 import { SKIN_FRAGMENT, SKIN_VERTEX } from "./skin_shaders";
 
 /** What the skin takes of the generic face, per row: its position (metres), its four traits, and how far it lies behind the lips, whose
  * right and left corner, upper and lower middle are named: four rows; its spots of blood (4), and how far it folds. */
 interface SkinRows {
+  readonly lines: ReadonlyMap<string, ArrayLike<number>>;
   readonly positions: Float32Array;
   readonly traits: Float32Array;
   readonly bag: Float32Array;
@@ -17,33 +19,44 @@ interface SkinRows {
   readonly folding: Float32Array;
 }
 
+/** How long edges may be on the lips' line, metres on the generic face; beside it longer by as much as they are away. */
+const LONGEST_AT_LIPS = 0.0016;
+
+/** Where the lobes of the generic face's ears are, metres: aside, up, ahead. */
+const LOBE = [
+  [0.064, 0.08],
+  [-0.05, -0.03],
+  [0.044, 0.07],
+] as const;
+
 /** The skin on `geometry` (index and rows of the mesh): its small triangles, then the large ones of crown, nape and neck. */
 export function skinParts(
   geometry: THREE.BufferGeometry,
   mesh: Mesh,
-  { positions, traits, bag, lips, spots, folding }: SkinRows,
+  { positions, traits, bag, lips, spots, folding, lines }: SkinRows,
   common: Uniforms,
+  detail: boolean,
 ): THREE.Mesh[] {
   const shared = { ...common, lipRows: { value: new THREE.Vector4().fromArray([...lips]) } };
   const place = (vertex: number) => {
     const row = mesh.source[vertex] as number;
     return Array.from(positions.subarray(3 * row, 3 * row + 3));
   };
-  const divided = divideLong(mesh.triangles, place, LONGEST_EDGE);
+  const edge = detail ? Array.from(lines.get("lips") ?? []) : [];
+  const divided = divideLong(mesh.triangles, place, longestBeside(edge, positions));
   const columns: Columns = {
     uv: [mesh.uv, 2],
     traits: [atRows(mesh, traits, 4), 4],
     behind: [atRows(mesh, bag, 1), 1],
     spots: [atRows(mesh, spots, 4), 4],
     frontal: [atRows(mesh, positions, 3), 3],
+    folding: [atRows(mesh, folding, 1), 1],
   };
   geometry.setIndex(new THREE.BufferAttribute(divided.flat, 1));
-  for (const [name, [values, width]] of Object.entries({
-    ...columns,
-    folding: [atRows(mesh, folding, 1), 1] as Column,
-  }))
+  for (const [name, [values, width]] of Object.entries(columns))
     geometry.setAttribute(name, new THREE.BufferAttribute(values, width));
   const parts = [casting(geometry, shared)];
+  geometry.userData[CASTING] = new THREE.BufferAttribute(withoutLobes(divided.flat, place), 1);
   if (divided.curved.length > 0) parts.push(curvedPart(divided, mesh, columns, shared));
   return parts;
 }
@@ -57,6 +70,34 @@ const atRows = ({ source }: Mesh, values: Float32Array, width: number): Float32A
   Float32Array.from({ length: width * source.length }, (_, at) => {
     return values[width * (source[Math.floor(at / width)] as number) + (at % width)] as number;
   });
+
+/** Triangles without those of the ears' lobes: light goes through them, and what they cast on the neck is a black wedge. */
+function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonly number[]): Uint32Array {
+  const lobe = (vertex: number) =>
+    place(vertex).every((value, axis) => {
+      const [low, high] = LOBE[axis] as readonly [number, number];
+      const at = axis === 0 ? Math.abs(value) : value;
+      return low < at && at < high;
+    });
+  return triangles.filter((_, at) => !lobe(triangles[at - (at % 3)] as number));
+}
+
+/**
+ * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips in a close-up. What
+ * it may be grows no faster than the way from the line, else slivers would be divided without end.
+ */
+function longestBeside(line: readonly number[], positions: Float32Array): Longest {
+  return (middle) => {
+    let nearest = LONGEST_EDGE - LONGEST_AT_LIPS;
+    for (const row of line) {
+      let square = 0;
+      for (let axis = 0; axis < 3; axis++)
+        square += ((positions[3 * row + axis] as number) - (middle[axis] as number)) ** 2;
+      nearest = Math.min(nearest, Math.sqrt(square));
+    }
+    return LONGEST_AT_LIPS + nearest;
+  };
+}
 
 function curvedPart(divided: CurvedTriangles, mesh: Mesh, columns: Columns, shared: Uniforms): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();

@@ -259,24 +259,27 @@ out vec3 vNormal;
 uniform sampler2D strains;
 uniform float pressed;
 in vec3 frontal;
-#ifndef CURVED
 in float folding;
-#endif
 out vec3 vPressed;
 out vec3 vUp;
 out vec3 vFrontal;
 
+#ifdef CURVED
+vec3 strained() {
+  ivec3 at = ivec3(rows + 0.5);
+  return mat3(texelFetch(strains, texelOf(at.x), 0).xyz, texelFetch(strains, texelOf(at.y), 0).xyz, texelFetch(strains, texelOf(at.z), 0).xyz) * shares;
+}
+#else
+vec3 strained() { return fetchRow(strains); }
+#endif
+
 /** How far the skin is pressed, of the most that it is; and what blood that drives out, or draws in. */
 float press(out vec3 share) {
   share = vec3(0.0);
-#ifndef CURVED
-  if (pressed * folding > 0.0) {
-    vec3 strain = fetchRow(strains);
-    share = strain / folding;
-    return clamp(-0.5 * (strain.x + strain.z), -0.22, 0.22);
-  }
-#endif
-  return 0.0;
+  if (pressed * folding <= 0.0) return 0.0;
+  vec3 strain = strained();
+  share = strain / folding;
+  return clamp(-0.5 * (strain.x + strain.z), -0.22, 0.22);
 }
 #endif
 #endif

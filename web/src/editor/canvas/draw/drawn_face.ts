@@ -98,7 +98,7 @@ export class DrawnFaces {
     this.template = headTemplate(parts, this.common);
     this.coarse = coarseMeshes(library.meshes, anatomy).map((mesh) => {
       const geometry = geometryOf(mesh);
-      skinParts(geometry, mesh, anatomy, this.common);
+      skinParts(geometry, mesh, anatomy, this.common, false);
       return geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1)); // its large triangles too
     });
     this.frames = [0, 1].flatMap((side) => {
