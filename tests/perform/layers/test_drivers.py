@@ -10,6 +10,7 @@ from omote.perform.layers.columns import Columns, make_columns
 from omote.perform.layers.drivers import (
     GAP_SECONDS,
     STEADY_SECONDS,
+    UNSTEADY_SECONDS,
     Driver,
     advance_driver,
     fits,
@@ -108,7 +109,9 @@ def test_a_characters_own_motion_makes_way(columns: Columns) -> None:
 def test_a_source_is_steady_while_its_frames_have_no_gap() -> None:
     driver = Driver("a", ALL_NAMES)
     for _ in range(100):
+        before = driver
         driver = advance_driver(driver, 0.01, "tracker")
-        assert driver.steady <= STEADY_SECONDS
-        assert (driver.steady > 0.0) == (driver.silent < GAP_SECONDS)
+        assert 0.0 <= driver.steady <= STEADY_SECONDS
+        assert (driver.steady > before.steady) == (driver.silent < GAP_SECONDS)
+        assert driver.steady == 0.0 or driver.silent < GAP_SECONDS + UNSTEADY_SECONDS + 0.01
     assert driver.silent == LOSS_SECONDS

@@ -453,6 +453,25 @@ def test_what_is_lost_and_seen_elsewhere_comes_back_without_a_jump_of_speed(
     assert shown[-1] == pytest.approx(after, abs=1e-3)
 
 
+def test_a_source_that_falls_silent_on_its_way_back_goes_on_without_a_jump_of_speed(cast: Cast) -> None:
+    """Behind a gap of 80 ms the follower's rate fell in one step, and the speed of what was far behind with it."""
+    performer = Performer(cast)
+    step = 1.0 / 240.0
+
+    def play(seconds: float, value: float | None = None) -> list[float]:
+        shown = []
+        for _ in range(round(seconds / step)):
+            if value is not None:
+                performer.drive({"jawOpen": value}, layer="tracker")
+            shown.append(performer.advance(step).channels.get("jawOpen", 0.0))
+        return shown
+
+    play(1.5, 0.0)
+    performer.drive({"jawOpen": 0.0}, layer="tracker", found=False)
+    shown = [*play(0.02), *play(0.12, 0.9), *play(0.3)]
+    assert np.abs(np.diff(shown, 2)).max() < 1.25 * BACK_ACCELERATION * step * step
+
+
 @given(st.floats(0.02, 1.0), st.floats(0.0, 1.0))
 @settings(max_examples=5)
 def test_a_hand_takes_a_channel_from_a_source_without_a_jump_of_speed(cast: Cast, source: float, hand: float) -> None:

@@ -19,8 +19,11 @@ STEADY_SECONDS = 0.5
 """Of frames without a gap, after which a source is followed as fast as its layer is."""
 GAP_SECONDS = 0.08
 LIPS_GAP_SECONDS = 0.06
-"""Of silence, after which it no longer counts as steady: what comes then may be a jump. Lips are followed
+"""Of silence, after which it counts as less and less steady: what comes then may be a jump. Lips are followed
 soonest; thirty frames a second have no gap."""
+UNSTEADY_SECONDS = 0.1
+"""In which a source that is silent for longer is no longer steady at all: at once, what follows it would brake
+in a step."""
 GONE_SECONDS = 0.25
 """Of silence, after which a source may come back elsewhere; ten frames a second, and a frame that is lost, have no such
 gap. One that says that it does not see its performer may do so after any time."""
@@ -164,5 +167,6 @@ def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
     """A driver of a layer `dt` seconds later; a clip is never lost, for it says when it is over."""
     silent = 0.0 if driver.source == CLIP else min(driver.silent + dt, LOSS_SECONDS)
     gap = LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
-    steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
+    change = dt if silent < gap else -dt * STEADY_SECONDS / UNSTEADY_SECONDS
+    steady = min(max(driver.steady + change, 0.0), STEADY_SECONDS)
     return with_fields(driver, silent=silent, steady=steady, away=max(driver.away - dt, 0.0))
