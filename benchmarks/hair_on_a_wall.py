@@ -85,7 +85,8 @@ def gaps(picture: NDArray[np.uint8]) -> tuple[int, int]:
     """Pixels of skin with hair on all sides at the temples, and pixels of hair there."""
     hair = green_of(picture, STUBBLE)
     rows = np.flatnonzero((picture[..., 3] > 127).any(axis=1))
-    top, height = rows[0], rows[-1] - rows[0]
+    top = rows[0]
+    height = rows[-1] - top
     here = np.zeros(hair.shape, bool)
     here[top + int(TEMPLES[0] * height) : top + int(TEMPLES[1] * height)] = True
     reach = max(1, round(CLOSE * picture.shape[0] / 1080))

@@ -34,7 +34,7 @@ USED: dict[str, str] = {
     "face/light": "link face/gpu",
     "face/skin": "link face/gpu face/light",
     "face/head": "link face/pose face/quality face/anatomy face/gpu face/light face/skin",
-    "face/hair": "link face/quality face/anatomy face/gpu face/light face/head",
+    "face/hair": "link face/quality face/anatomy face/gpu face/light face/skin face/head",
     "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
     "stage": "link ui face/pose face/quality face/light face",
     "console/store": "link ui",

@@ -262,7 +262,7 @@ GROOMS: Mapping[str, Groom] = {
     "swept": Groom(PEAKED, _back_comb, _back_cut, layers=(0.002, 0.007), hold=1.0, free=-0.2, closing=0.004),
     "thin": Groom(
         RECEDING, _thin_comb, _thin_cut, layers=(0.001, 0.008), closing=0.0, width=0.003, wave=(0.0015, 0.03),
-        locks=0.25, count=760, scalp=0.4, sparse=0.02,
+        locks=0.25, count=600, scalp=0.4, sparse=0.02,
     ),
     "mop": Groom(
         FRINGED, _mop_comb, _mop_cut, layers=(0.003, 0.018), hold=0.8, closing=0.006, wave=(0.0018, 0.045),

@@ -54,7 +54,7 @@ def test_strands_are_smooth_and_lie_in_the_light(name: str) -> None:
 
 
 def test_neighbours_of_a_lock_are_combed_alike() -> None:
-    groom = replace(GROOMS["mop"], count=300, sparse=1e-6)  # down is no lock
+    groom = replace(GROOMS["mop"], count=900)
     roots = roots_of(groom, SPACE.points, SPACE.triangles)
     _, near = cKDTree(roots).query(roots, k=2)
 

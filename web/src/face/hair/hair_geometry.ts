@@ -24,7 +24,7 @@ export interface RibbonStyle {
 const TRIANGLES = { round: 20, fine: 15, coarse: 8 };
 
 /** How wide each of several ribbons of a strand is, of a single one. */
-const THIN = 0.41;
+const THIN = 0.44;
 
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "width", THREE.IUniform<number>> & {

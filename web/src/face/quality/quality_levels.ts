@@ -48,7 +48,7 @@ const MEDIUM: Features = {
   shaderBlend: true,
   pixels: 2.1e6,
 };
-const GOOD: Features = { ...MEDIUM, ribbons: 5 };
+const GOOD: Features = { ...MEDIUM, ribbons: 4 };
 const HIGH: Features = { ...GOOD, shadow: 1024, anisotropy: 8, pixels: Infinity };
 
 /** By level, each as the one below but for what it draws more. */
