@@ -37,7 +37,10 @@ def vertex_strain(rest: Values, now: Values, triangles: Indices, /) -> Values:
 
 
 def triangle_strain(rest: Values, now: Values, triangles: Indices, /) -> tuple[Values, Values]:
-    """The strain of each triangle (T, 3): level, mixed and upright, and twice its area at rest (T,), square metres."""
+    """The strain of each triangle (T, 3): level, mixed and upright, and twice its area at rest (T,), square metres.
+
+    rest, now: (V, 3) positions, metres; triangles: (T, 3).
+    """
     first, second = (np.asarray(rest[triangles[:, k]] - rest[triangles[:, 0]], np.float64) for k in (1, 2))
     moved = [np.asarray(now[triangles[:, k]] - now[triangles[:, 0]], np.float64) for k in (1, 2)]
     facing = np.cross(first, second)

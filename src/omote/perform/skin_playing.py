@@ -11,8 +11,7 @@ class SkinPlaying(SpringPlaying):
     """Plays blood and tears by what is on air."""
 
     def set_skin(self, name: str, amount: float) -> None:
-        """Sets how much of the skin's folds, or of its blood, shows: what is on air follows, folds within half a
-        second.
+        """Sets how much of the skin's folds, or of its blood, shows; what is on air follows, folds in half a second.
 
         Parameters
         ----------

@@ -59,6 +59,8 @@ class ExtractedExpression(Expression):
         Turn of the head, radians.
     signed : bool
         Not played below 0: a displacement does not say it.
+    complexion : sequence of six floats
+        As at rest: a displacement does not say it.
     uncertainty : ndarray of float64, (V,)
         How far the skin of other faces may be off, metres: 0 where the displacement says it, or a sum of known
         expressions does. An estimate, good on the sheet and low inside the mouth: `benchmarks/extraction.py` says how
