@@ -63,6 +63,7 @@ export class SoloPage extends ConsoleElement {
 
   protected override readonly topics: readonly Topic[] = [
     "link",
+    "black",
     "call",
     "notice",
     "arrangement",

@@ -26,6 +26,7 @@ type PageTopic =
   | "link"
   | "timing"
   | "arrangement"
+  | "black"
   | "call"
   | "notice"
   | "panic"
