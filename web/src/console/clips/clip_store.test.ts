@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { ClipOutline, ClipPass, FromClient, FromServer, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
+import { endPass } from "./clip_passes";
 import { ClipStore } from "./clip_store";
 import type { Marks } from "./page_marks";
 
@@ -166,6 +167,20 @@ describe("the store of clips", () => {
     expect(last()).toMatchObject({ type: "keep_pass", keep: false });
     work(2);
     expect(show.notice).toBe("The pass is discarded.");
+  });
+
+  it("says of nobody else that they ended a pass which this page has ended at its red light", () => {
+    const pass = { character: "one", name: "line", lane: "mouth 2", parts: ["mouth" as const], by: "Anna" };
+    for (const keep of [true, false]) {
+      const recorded = { ...pass, began: 100, start: 0.5, speed: 1 };
+      work(1, recorded);
+      endPass(show, recorded, keep);
+      work(keep ? 2 : 1);
+      expect(show.notice).toBe(keep ? "Kept in line: lane mouth 2." : "The pass is discarded.");
+    }
+    work(2, { ...pass, began: 100, start: 0.5, speed: 1 });
+    work(2);
+    expect(show.notice).toContain("another hand ended it"); // what was ended here before has been said
   });
 
   it("records a span of a lane again from before it, and puts the pass in its place", () => {
