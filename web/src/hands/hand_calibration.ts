@@ -151,7 +151,17 @@ export function readCalibration(text: string | null): HandCalibration | null {
     const kept: HandCalibration = { rate: FEW_PICTURES, ...JSON.parse(text) }; // of before they were counted
     const { means, scales, offsets, weights } = kept.map;
     const palms = kept.palms.flat();
-    const numbers = [kept.made, kept.delay, kept.rate, ...kept.place, ...palms, ...kept.fit, ...means, ...scales, ...offsets];
+    const numbers = [
+      kept.made,
+      kept.delay,
+      kept.rate,
+      ...kept.place,
+      ...palms,
+      ...kept.fit,
+      ...means,
+      ...scales,
+      ...offsets,
+    ];
     const whole =
       kept.version === 1 &&
       palms.length === 18 &&
