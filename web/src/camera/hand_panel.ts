@@ -2,6 +2,7 @@
 
 import { css, html, nothing, svg } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { FEW_PICTURES, sayDelay } from "../hands/hand_calibration";
 import { HAND_AXES, type HandAxes } from "../hands/hand_guide";
 import { adviseOnAbsence } from "../hands/hand_tracker";
 import { base, flow, palette } from "../ui/theme";
@@ -28,8 +29,6 @@ const REGIONS: readonly (readonly [string, HandChoice["regions"]])[] = [
 ];
 const ALL_PARTS = 6;
 const OPEN: HandAxes = { opening: 0.6, index: 0, little: 0, yaw: 0, pitch: 0, roll: 0 };
-/** Pictures a second below which a hand is seen to lag. */
-const SLOW = 12;
 
 const style = css`
   section {
@@ -126,12 +125,12 @@ export class HandPanel extends CameraElement {
 
   #sayCalibration(): string {
     const { calibration, model, rate, reading } = this.session.hand;
-    const speed = rate > 0 && rate < SLOW ? ` ${rate.toFixed(0)} pictures a second: that lags.` : "";
+    const speed = rate > 0 && rate < FEW_PICTURES ? ` ${rate.toFixed(0)} pictures a second: that lags.` : "";
     if (model?.kind !== "ready") return this.session.noHand;
     const seen = reading !== null && reading.playing >= 0 ? "Your hand is seen." : "No hand is seen.";
     if (calibration === null) return `${seen} It plays after its guided minute.${speed}`;
     const made = new Date(calibration.made).toLocaleString();
-    return `${seen} Read by the guided minute of ${made}: your ${calibration.side} hand, ${Math.round(1000 * calibration.delay)} ms behind the drawn one.${speed}`;
+    return `${seen} Read by the guided minute of ${made}: your ${calibration.side} hand${sayDelay(calibration)}.${speed}`;
   }
 
   #plays({ characters, regions, pads }: HandChoice) {

@@ -32,6 +32,8 @@ export interface HandCalibration {
   map: Ridge;
   /** How well each axis was followed, a correlation. */
   fit: number[];
+  /** Pictures a second that were looked at in the minute. */
+  rate: number;
 }
 
 /** Samples that a minute has at least: five a second. */
@@ -54,8 +56,8 @@ export function handSample(hand: FoundHand, width: number, height: number, time:
   return { time, shape, palms: [seen.axes, own.axes], side: hand.side, place };
 }
 
-/** The calibration by a guided minute; an Error with what to do where the samples give none. made: ms since 1970. */
-export function fitHand(samples: readonly HandSample[], camera: string, made: number): HandCalibration {
+/** The calibration by a guided minute; an Error with what to do where the samples give none. rate: pictures a second that were looked at; made: ms since 1970. */
+export function fitHand(samples: readonly HandSample[], rate: number, camera: string, made: number): HandCalibration {
   const rests = samples.filter(({ time }) => time > REST_SECONDS / 4 && time < REST_SECONDS);
   if (samples.length < FEWEST_SAMPLES || rests.length < FEWEST_SAMPLES / 25) {
     throw new Error(
@@ -87,6 +89,7 @@ export function fitHand(samples: readonly HandSample[], camera: string, made: nu
     palms,
     map,
     fit,
+    rate,
   };
 }
 
@@ -145,10 +148,20 @@ function middlePalm(palms: readonly Axes[]): number[] {
 export function readCalibration(text: string | null): HandCalibration | null {
   if (text === null) return null;
   try {
-    const kept = JSON.parse(text) as HandCalibration;
+    const kept: HandCalibration = { rate: FEW_PICTURES, ...JSON.parse(text) }; // of before they were counted
     const { means, scales, offsets, weights } = kept.map;
     const palms = kept.palms.flat();
-    const numbers = [kept.made, kept.delay, ...kept.place, ...palms, ...kept.fit, ...means, ...scales, ...offsets];
+    const numbers = [
+      kept.made,
+      kept.delay,
+      kept.rate,
+      ...kept.place,
+      ...palms,
+      ...kept.fit,
+      ...means,
+      ...scales,
+      ...offsets,
+    ];
     const whole =
       kept.version === 1 &&
       palms.length === 18 &&
@@ -165,6 +178,15 @@ const OLD_DAYS = 7;
 const DAY_MS = 86_400_000;
 /** A correlation below which an axis was not followed well. */
 const FOLLOWED = 0.9;
+/** Pictures a second below which a hand lags, and too little is seen of what it does. */
+export const FEW_PICTURES = 12;
+
+/** Whether the opening was followed: else neither it nor the delay is known. */
+const isFollowed = ({ fit }: HandCalibration): boolean => (fit[0] ?? 0) >= FOLLOWED;
+
+/** How far behind the drawn hand the performer was, in words behind a comma; "" where that is not known. */
+export const sayDelay = (calibration: HandCalibration): string =>
+  isFollowed(calibration) ? `, ${Math.round(1000 * calibration.delay)} ms behind the drawn one` : "";
 
 /** What is to be said of a calibration: its age, another camera, an opening that was not followed; "" for nothing. now: ms since 1970; camera: the label of the one that is open. */
 export function adviseOnCalibration(calibration: HandCalibration, camera: string, now: number): string {
@@ -173,8 +195,8 @@ export function adviseOnCalibration(calibration: HandCalibration, camera: string
     return `It was made before another camera (${calibration.camera}): make the guided minute again.`;
   }
   if (days >= OLD_DAYS) return `It is ${days} days old: make the guided minute again where the hand is read badly.`;
-  if ((calibration.fit[0] ?? 0) < FOLLOWED) {
-    return "The opening was not followed well: hand in profile, fingertips to the side, and make it again.";
-  }
-  return "";
+  if (isFollowed(calibration)) return "";
+  return calibration.rate < FEW_PICTURES
+    ? `The opening could not be followed: only ${calibration.rate.toFixed(0)} pictures a second were looked at. Close other pages and programs on this machine, look for one hand, not two, and make it again.`
+    : "The opening was not followed well: hand in profile, fingertips to the side, and make it again.";
 }

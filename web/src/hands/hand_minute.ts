@@ -28,6 +28,9 @@ export class HandMinute {
   /** Whether the newest picture shows no hand. */
   #missed = false;
   #back: number;
+  /** Seconds since the moves began, and the pictures in them. */
+  #moved = 0;
+  #pictures = 0;
 
   constructor(begun: number) {
     this.#time = -READY;
@@ -39,6 +42,7 @@ export class HandMinute {
   pass(now: number): void {
     const gap = Math.max(0, now - this.#now);
     this.#now = Math.max(now, this.#now);
+    if (this.#time >= 0 && !this.done) this.#moved += gap;
     if (this.#time < 0 || !this.#lost) this.#time += gap;
   }
 
@@ -46,6 +50,7 @@ export class HandMinute {
   hear(hands: Hands, playing: number): void {
     const now = hands.time / 1000;
     this.pass(now);
+    if (this.#time >= 0) this.#pictures += 1;
     const hand = hands.hands[playing];
     if (hand !== undefined && this.#lost) this.#back = now;
     this.#missed = hand === undefined;
@@ -83,6 +88,6 @@ export class HandMinute {
 
   /** The calibration by what was seen; an Error with what to do where that is too little. camera: its label; made: ms since 1970. */
   fit(camera: string, made: number): HandCalibration {
-    return fitHand(this.#samples, camera, made);
+    return fitHand(this.#samples, this.#pictures / this.#moved, camera, made);
   }
 }

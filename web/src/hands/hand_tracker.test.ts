@@ -9,7 +9,7 @@ for (let time = 0; time < GUIDE_SECONDS; time += 0.1) {
   const sample = handSample(syntheticHand(guideTargets(time)), 640, 480, time);
   if (sample !== null) samples.push(sample);
 }
-const calibration = fitHand(samples, "", 0);
+const calibration = fitHand(samples, 20, "", 0);
 
 it("plays the calibrated side at first, then follows by place, whatever the labels say", () => {
   const tracker = new HandTracker(calibration);

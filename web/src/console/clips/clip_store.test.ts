@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { ClipOutline, ClipPass, FromClient, FromServer, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
+import { endPass } from "./clip_passes";
 import { ClipStore } from "./clip_store";
 import type { Marks } from "./page_marks";
 

@@ -102,6 +102,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
     this.#chosen = character ?? "";
     this.listen("view", () => this.#keepMarks());
     this.listen("clips", () => this.#keepMarks());
+    show.sent.hear("keep_pass", ({ character, keep }) => {
+      if (character === this.character) this.#ending ??= keep ? "keep" : "discard"; // at its red light
+    });
     show.hear("clips", () => this.#receiveNames());
     show.hear("sounds", () => this.tell("clips"));
     show.hear("sound_dropped", ({ name, needed_by }) => {

@@ -56,7 +56,7 @@ export class ClipsPage extends ClipElement {
     const { show } = this.clips;
     const panic = pressed(() => this.#panic());
     return html`<header><div class="bar">
-      <h1>CLIPS</h1><nav><a href="/console" target="omote-console">Console</a><a href="/cues" target="omote-cues">Cues</a></nav>
+      <h1>CLIPS</h1><nav><a href="/console" target="omote-console">Console</a><a href="/solo" target="omote-solo" title="The page for one person alone">Solo</a><a href="/cues" target="omote-cues">Cues</a></nav>
       <omote-record-light words .context=${{ store: show, painter: this.painter }}></omote-record-light>
       ${show.online ? nothing : html`<span class="lost" role="alert">LINK LOST</span>`}
       <span class="notice ${show.tone}" role="status">${show.notice ?? ""} ${offersOf(show)}</span>

@@ -77,7 +77,7 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { notice, tone } = cues.show;
     return html`<header><div class="bar">
-      <h1>CUES <span>${cues.name}</span></h1><span class="printed">${this.printed}</span><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <h1>CUES <span>${cues.name}</span></h1><span class="printed">${this.printed}</span><nav><a href="/console" target="omote-console">Console</a><a href="/solo" target="omote-solo" title="The page for one person alone">Solo</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
       <omote-record-light .context=${{ store: cues.show, painter: this.painter }}></omote-record-light>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>

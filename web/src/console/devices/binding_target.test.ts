@@ -16,6 +16,7 @@ import {
   panicTarget,
   releaseTarget,
   shortControl,
+  shortControls,
   type Target,
   targetKey,
   targetText,
@@ -62,6 +63,15 @@ it("finds the bindings of a target", () => {
   const [one, two] = ["a", "b"].map((control) => ({ ...FIRST_BINDING, control, to: "/omote/one/panic" }));
   const groups = bindingsByTarget([one, two, FIRST_BINDING] as (typeof FIRST_BINDING)[]);
   expect(groups.get(targetKey(panicTarget("one")))).toEqual([one, two]);
+});
+
+it("tells the controls of two devices of one name apart, and of one alone names no number", () => {
+  const [one, two] = ["Pad (045e:02ea)", "Pad (045e:02ea) 2"];
+  const of = (device: string) => ["axis0", "axis1", "axis0"].map((control) => ({ device, control }));
+  expect(shortControls(of(one), [one, "Pad (1234:0001)"])).toBe("a0 a1");
+  expect(shortControls(of(two), [two, two])).toBe("a0 a1");
+  expect([one, two].map((device) => shortControls(of(device), [one, two, two]))).toEqual(["1: a0 a1", "2: a0 a1"]);
+  expect(shortControls([...of(one), { device: two, control: "button3" }], [one, two])).toBe("1: a0 a1 2: b3");
 });
 
 it.each([

@@ -114,6 +114,27 @@ export function shortControl(control: string): string {
     .replace("pressure", "prs");
 }
 
+/**
+ * The controls of bindings where there is little room: `a0 a1`; where two devices of one name are bound, with the
+ * number of each: `2: a0 a1`. `devices`: all that are bound.
+ */
+export function shortControls(
+  bindings: readonly Pick<BindingDocument, "device" | "control">[],
+  devices: readonly string[],
+): string {
+  const controls = new Map<string, Set<string>>();
+  for (const { device, control } of bindings)
+    controls.set(device, (controls.get(device) ?? new Set()).add(shortControl(control)));
+  return [...controls].map(([device, names]) => `${numberAmong(device, devices)}${[...names].join(" ")}`).join(" ");
+}
+
+/** Which of several devices of one name it is; "" where there is one alone. */
+function numberAmong(device: string, devices: readonly string[]): string {
+  const plain = (name: string): string => name.replace(/ \d+$/, "");
+  const twins = new Set(devices.filter((other) => plain(other) === plain(device)));
+  return twins.size < 2 ? "" : `${/ (\d+)$/.exec(device)?.[1] ?? 1}: `;
+}
+
 /** Bindings by what they play, as `targetKey` tells it apart. */
 export function bindingsByTarget(
   bindings: readonly BindingDocument[],

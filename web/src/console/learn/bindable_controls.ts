@@ -20,6 +20,7 @@ import {
   macroTarget,
   memoryTarget,
   padTarget,
+  panicTarget,
   type Target,
   targetKey,
   whoOf,
@@ -114,6 +115,15 @@ export function findControls(root: ParentNode, store: ConsoleStore): BindableCon
           controls.push({ element: part, targets: read(part), travel });
   }
   return controls;
+}
+
+/** The key that is panic, which no touch learns: it is pressed at any time. */
+export function findPanic(root: ParentNode, store: ConsoleStore): BindableControl[] {
+  const targets = [panicTarget(whoOf(store.played.targets))];
+  const roots = [root, ...[...root.querySelectorAll("omote-status")].flatMap(({ shadowRoot }) => shadowRoot ?? [])];
+  return roots.flatMap((each) =>
+    [...each.querySelectorAll<HTMLElement>(".panic:not(.all)")].map((element) => ({ element, targets, travel: null })),
+  );
 }
 
 /** The bindings of each target as `targetKey` has it: one of all characters plays the controls of those played here. */

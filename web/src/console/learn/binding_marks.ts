@@ -5,13 +5,14 @@ import { customElement, property, query } from "lit/decorators.js";
 import type { BindingDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
-import { shortControl, targetKey } from "../devices/binding_target";
+import { shortControls, targetKey } from "../devices/binding_target";
 import type { ConsoleDevices } from "../devices/console_devices";
 import type { Topic } from "../store/page_store";
 import {
   type BindableControl,
   bindingsShown,
   findControls,
+  findPanic,
   markHeight,
   type PageBox,
   seenBox,
@@ -100,7 +101,8 @@ export class BindingMarks extends AnimatedElement {
   #search(now: number): void {
     this.#searched = now;
     const of = bindingsShown(this.devices.bindings, this.store);
-    const boundControls = findControls(this.page, this.store).flatMap((control) => {
+    const controls = [...findControls(this.page, this.store), ...findPanic(this.page, this.store)];
+    const boundControls = controls.flatMap((control) => {
       const bindings = control.targets.flatMap((target) => of.get(targetKey(target)) ?? []);
       return bindings.length === 0 ? [] : [{ control, bindings }];
     });
@@ -127,7 +129,10 @@ export class BindingMarks extends AnimatedElement {
     waiting.hidden = true;
     if (box === null) return;
     const there = bindings.filter(({ device }) => this.devices.device(device)?.plugged === true);
-    const text = [...new Set(bindings.map((binding) => shortControl(binding.control)))].join(" ");
+    const text = shortControls(
+      bindings,
+      this.devices.bindings.map(({ device }) => device),
+    );
     if (chip.textContent !== text) chip.textContent = text;
     chip.classList.toggle("gone", there.length === 0);
     const place = placeOf(control.element, box);

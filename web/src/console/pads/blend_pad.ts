@@ -8,6 +8,7 @@ import { stepped, within } from "../../ui/travel";
 import { otherStyle, paintOther } from "../controls/other_hand";
 import type { Knob, PadAxis } from "../store/knob";
 import { isPlaying } from "./pad_commands";
+import { coverOf } from "./pad_cover";
 import { across, PadFieldElement, placeAt, wayOf } from "./pad_field";
 import { neutralPlace } from "./pad_layout";
 import { padStyle } from "./pad_style";
@@ -166,21 +167,25 @@ export class BlendPad extends PadFieldElement {
     const { write } = this;
     const place = this.#place(now);
     const plays = isPlaying(this.store, this.pad.name) || this.#knobs.some((knob) => knob.counts(now));
+    const { air, sources } = this.store;
+    const cover = plays && air !== null ? coverOf(this.pad.part, air, sources) : { whole: false, words: "" };
+    const shows = plays && !cover.whole;
     const [x, y = 0] = place as [number, number?];
     write.style(
       this.dot,
       "transform",
       `translate(${(100 * (across(x) - 0.5)).toFixed(3)}%, ${(100 * (0.5 - across(y))).toFixed(3)}%)`,
     );
-    write.flag(this.dot, "air", plays);
-    write.flag(this.field, "idle", !plays);
+    write.flag(this.dot, "air", shows);
+    write.flag(this.field, "idle", !shows);
     if (this.depthKnob !== null)
       write.style(this.depthKnob, "transform", `translateY(${(-46 * (place[2] ?? 0)).toFixed(2)}%)`);
     if (this.slider !== null) write.attribute(this.slider, "aria-valuenow", (place[2] ?? 0).toFixed(2));
     const words = this.wordsAt(place);
-    write.text(this.read, plays ? words : "not playing");
+    const played = plays ? [cover.words, cover.whole ? "" : words].filter(Boolean).join(" · ") : "not playing";
+    write.text(this.read, played);
     write.attribute(this.field, "aria-valuenow", x.toFixed(2));
-    write.attribute(this.field, "aria-valuetext", plays ? words : `${words}; not playing`);
+    write.attribute(this.field, "aria-valuetext", shows ? played : `${words}; ${played}`);
     paintOther(write, this.other, this.store, this.#knob("x"), now);
   }
 }

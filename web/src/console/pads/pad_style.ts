@@ -165,9 +165,10 @@ export const padStyle = css`
     position: absolute;
     left: 4px;
     right: 4px;
-    bottom: 2px;
+    bottom: 0;
     ${ellipsis}
-    font-size: 11px;
+    font-size: clamp(9px, 4cqmin, 11px); /* below the names of the lowest looks, on a small pad too */
+    line-height: 1.2;
     color: #fff;
     text-shadow:
       0 0 3px #000,

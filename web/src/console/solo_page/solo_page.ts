@@ -37,6 +37,7 @@ import "../../ui/keys_help";
 import "./black_key";
 import "./liveliness";
 import "./next_cue";
+import "./source_line";
 
 const PART_LABELS: Readonly<Record<SoloPart, string>> = {
   looks: "Looks: keys of memories",
@@ -63,6 +64,7 @@ export class SoloPage extends ConsoleElement {
 
   protected override readonly topics: readonly Topic[] = [
     "link",
+    "black",
     "call",
     "notice",
     "arrangement",
@@ -80,6 +82,7 @@ export class SoloPage extends ConsoleElement {
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
     const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
     hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
+    hearWhileShown<PointerEvent>(this, window, ["pointerdown"], this.#pressElsewhere, true);
   }
 
   /** A panic that nobody hears is said after a while. */
@@ -125,6 +128,7 @@ export class SoloPage extends ConsoleElement {
     const { text, tone, offers, dismiss } = saidNow(this.context);
     return html`<header><div class="bar panel"><h1>SOLO</h1>
         ${this.#characters()}<span class="air ${store.goesBlack ? "black" : ""}">${this.#airWords}</span>
+        <omote-source-line .context=${this.context}></omote-source-line>
         <omote-record-light .context=${this.context}></omote-record-light>
         ${store.online ? nothing : html`<span class="lost-link" role="alert">LINK LOST</span>`}
         <span class="notice ${tone} ${text === null ? "none" : ""}" role="status"><span title=${text ?? ""}>${text ?? ""}</span>${viewOffers(offers, dismiss)}</span>
@@ -192,10 +196,10 @@ export class SoloPage extends ConsoleElement {
     return html`<div class="chosen" role="group" aria-label="What this page shows">
       ${SOLO_PARTS.map((part) => html`<label><input type="checkbox" .checked=${solo[part]} @change=${() => store.arrange({ solo: { ...solo, [part]: !solo[part] } })} />${PART_LABELS[part]}</label>`)}
       <omote-liveliness .context=${context}></omote-liveliness>
-      <button data-do="save" title="Every page of the show can open with it: /solo?layout=${layouts.chosen}" @click=${() => void layouts.save(layouts.chosen)}>Save as layout ${layouts.chosen}</button>
+      <button data-do="save" title="Every page of the show can open with it: /solo?layout=${layouts.chosen}" @click=${() => this.#saveLayout(layouts.chosen)}>Save as layout ${layouts.chosen}</button>
       <button data-do="learn" title="Dials, sticks and keys of devices (Z)" @click=${this.#learn}>Learn a device</button>
       <button class="keys" @click=${this.#showHelp}>Keys</button>
-      <a href="/console" target="omote-console">Console</a><a href="/cues" target="omote-cues">Cues</a></div>`;
+      <span @click=${this.#closeChoice}><a href="/console" target="omote-console">Console</a><a href="/cues" target="omote-cues">Cues</a></span></div>`;
   }
 
   /** The pad of one side, and the choice of another. */
@@ -232,9 +236,24 @@ export class SoloPage extends ConsoleElement {
     if (this.#places !== NO_PLACES && chosen !== this.store.arrangement.pads) this.store.arrange({ pads: chosen });
   }
 
+  #saveLayout(name: string): void {
+    void this.context.layouts.save(name);
+    this.#closeChoice();
+  }
+
+  readonly #closeChoice = (): void => {
+    this.choosing = false;
+  };
+
+  /** What is chosen lies over keys that play: it goes where anything else is pressed. */
+  readonly #pressElsewhere = (event: PointerEvent): void => {
+    const isInside = (target: EventTarget): boolean => target instanceof Element && target.matches(".chosen, .show");
+    if (!event.composedPath().some(isInside)) this.#closeChoice();
+  };
+
   readonly #learn = (): void => {
     this.learning = !this.learning;
-    this.choosing = false;
+    this.#closeChoice();
   };
 
   readonly #showHelp = (): void => {
@@ -251,7 +270,7 @@ export class SoloPage extends ConsoleElement {
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {
     const step = typing ? null : stepOf(event);
     const command = step === null ? soloCommandOf(event, typing) : null;
-    if (event.key === "Escape") this.choosing = false;
+    if (event.key === "Escape" || step !== null || command !== null) this.#closeChoice();
     if (step === null && command === null) return;
     event.preventDefault();
     if (step !== null && !event.repeat) this.store[step]();

@@ -18,7 +18,7 @@ export const soloPageStyle = css`
       "left right" calc(min(50vw, 44dvh) + 32px)
       "looks looks" auto
       "next next" auto
-      "lines head" var(--last, minmax(170px, 0.75fr)) / minmax(0, 1fr) minmax(0, 1fr);
+      "lines head" var(--last, max(170px, 17dvh)) / minmax(0, 1fr) minmax(0, 1fr);
   }
   :host(:not([lines], [head])) {
     --last: 0;
@@ -50,9 +50,28 @@ export const soloPageStyle = css`
   }
   .bar {
     ${flow}
+    flex-wrap: nowrap; /* nothing of the page moves for words */
     gap: 4px 8px;
     min-width: 0;
     padding: 4px 8px;
+  }
+  .bar > :is(button, h1, omote-liveliness, omote-black-key, .lost-link) {
+    flex: none;
+  }
+  .bar > [aria-label="Characters"] {
+    flex: 0 1 auto;
+    min-width: 88px;
+    white-space: nowrap;
+    overflow-x: auto;
+    scrollbar-width: none;
+  }
+  .bar > omote-record-light {
+    flex: 0 8 auto;
+    margin-block: -4px; /* as high as the bar: its finger's room is the bar's padding too */
+  }
+  .bar > omote-source-line {
+    flex: 0 1 auto;
+    min-width: 0;
   }
   h1 {
     margin: 0;
@@ -77,7 +96,7 @@ export const soloPageStyle = css`
     outline: 2px solid #b3261a;
   }
   .notice {
-    flex: 1 1 120px;
+    flex: 1 1 200px;
     min-width: 0;
     display: flex;
     align-items: center;
@@ -95,6 +114,9 @@ export const soloPageStyle = css`
   }
   .notice .away {
     min-width: 34px;
+  }
+  .notice.none {
+    flex: 1 1 0;
   }
   .rows {
     display: none; /* where there is no room for all parts */
@@ -117,6 +139,7 @@ export const soloPageStyle = css`
     color: var(--ground);
   }
   .panic {
+    align-self: start; /* as high as ever, beside a bar of two lines too */
     min-width: 120px;
     min-height: 46px;
     font-size: 17px;
@@ -158,6 +181,10 @@ export const soloPageStyle = css`
   }
   .chosen input:not([type="checkbox"]) {
     ${entry}
+  }
+  .chosen span {
+    display: grid;
+    gap: 6px;
   }
   .chosen a {
     color: var(--focus);
@@ -224,6 +251,9 @@ export const soloPageStyle = css`
         "left below right" var(--below, 0px)
         "looks looks looks" auto / minmax(0, 1fr) minmax(0, 1.15fr) minmax(0, 1fr);
     }
+    .bar > omote-record-light {
+      min-width: 140px;
+    }
     .chosen :is(omote-liveliness, .keys) {
       display: none; /* in the bar */
     }
@@ -250,6 +280,7 @@ export const soloPageStyle = css`
   }
   @media (max-width: 899px) {
     .bar {
+      flex-wrap: wrap; /* the face above the pads is as much lower */
       gap: 4px;
       padding: 2px 4px;
     }
@@ -264,6 +295,9 @@ export const soloPageStyle = css`
     h1,
     .bar > .help {
       display: none; /* in what is chosen to show */
+    }
+    .bar > omote-source-line {
+      display: none; /* pads say who covers them */
     }
     .bar > omote-liveliness {
       --way: none; /* what a panic ends has its way back in sight */
@@ -295,7 +329,11 @@ export const soloPageStyle = css`
         "left next right" auto
         "left looks right" auto / minmax(0, min(33vw, 100dvh - 90px)) minmax(0, 1fr) minmax(0, min(33vw, 100dvh - 90px));
     }
+    .bar {
+      flex-wrap: nowrap;
+    }
     .rows {
+      flex: none;
       display: flex;
       gap: 2px;
     }

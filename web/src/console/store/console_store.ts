@@ -96,8 +96,9 @@ export class ConsoleStore extends PageStore {
   /** A newer state than any before. */
   #receiveState(state: State): void {
     const [last, names, there] = [this.air, this.played.names.join(), charactersKey(this.state)];
-    const panics = this.played.panics();
+    const [panics, black] = [this.played.panics(), this.goesBlack];
     this.state = state;
+    if (black !== this.goesBlack) this.tell("black");
     const air = this.air as CharacterState; // a state has a character
     if (last !== null && names !== this.played.names.join()) {
       this.#takeUp();
