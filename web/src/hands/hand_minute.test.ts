@@ -23,11 +23,6 @@ it("gets ready, moves for its time, and gives a calibration", () => {
   expect(minute.fit("Camera", 5)).toMatchObject({ camera: "Camera", made: 5, side: "right" });
 });
 
-it("counts the pictures that were looked at, with a hand in them or not", () => {
-  expect(perform().minute.fit("", 0).rate).toBeCloseTo(8, 1);
-  expect(perform([20, 30]).minute.fit("", 0).rate).toBeCloseTo(8, 1);
-});
-
 it("takes a picture for the moment when it was taken, however long it was looked at", () => {
   const [minute, random] = [new HandMinute(0), seededNumbers(3)];
   for (let now = 0; !minute.done; now += 1 / 8) {

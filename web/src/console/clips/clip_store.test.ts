@@ -168,20 +168,6 @@ describe("the store of clips", () => {
     expect(show.notice).toBe("The pass is discarded.");
   });
 
-  it("says of nobody else that they ended a pass which this page has ended at its red light", () => {
-    const pass = { character: "one", name: "line", lane: "mouth 2", parts: ["mouth" as const], by: "Anna" };
-    for (const keep of [true, false]) {
-      const recorded = { ...pass, began: 100, start: 0.5, speed: 1 };
-      work(1, recorded);
-      endPass(show, recorded, keep);
-      work(keep ? 2 : 1);
-      expect(show.notice).toBe(keep ? "Kept in line: lane mouth 2." : "The pass is discarded.");
-    }
-    work(2, { ...pass, began: 100, start: 0.5, speed: 1 });
-    work(2);
-    expect(show.notice).toContain("another hand ended it"); // what was ended here before has been said
-  });
-
   it("records a span of a lane again from before it, and puts the pass in its place", () => {
     clips.setCountIn(false);
     clips.select({ from: 3, to: 5 });

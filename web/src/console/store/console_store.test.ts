@@ -251,18 +251,6 @@ describe("black", () => {
       { type: "call_black", black: 1, seconds: 0 }, // a fader stands half-way
     ]);
   });
-
-  it("is told once where it begins to come, and once where it begins to go", () => {
-    let told = 0;
-    store.listen("black", () => {
-      told += 1;
-    });
-    const goals = [0, 1, 1, 1, 0, 0].map((black_goal, at) => {
-      store.receive({ ...REST, number: at + 2, black: 0.1 * at, black_goal });
-      return told;
-    });
-    expect(goals).toEqual([0, 1, 1, 1, 2, 2]);
-  });
 });
 
 /** Takes what the notice offers. */

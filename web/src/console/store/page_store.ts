@@ -26,7 +26,6 @@ type PageTopic =
   | "link"
   | "timing"
   | "arrangement"
-  | "black"
   | "call"
   | "notice"
   | "panic"
