@@ -35,9 +35,6 @@ const CALM: CharacterState = {
   macros: {},
   pads: {},
   springs: {},
-  complexion: [],
-  folds: 1,
-  skin: {},
 };
 const REST: State = {
   type: "state",
