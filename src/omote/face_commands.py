@@ -77,7 +77,7 @@ def face(
     hair: Annotated[
         str,
         typer.Option(
-            help="Its hair: bob, bowl, bun, crop, curls, long, mop, pigtails, pixie, ponytail, quiff, short, swept, "
+            help="Its hair: bob, bowl, bun, crop, long, mop, pigtails, pixie, ponytail, quiff, short, swept, "
             "thin, waves, wreath or none; else the look's."
         ),
     ] = "",

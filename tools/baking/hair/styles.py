@@ -280,10 +280,6 @@ GROOMS: Mapping[str, Groom] = {
         TIED, _long_comb, _long_cut, layers=(0.003, 0.012), blur=0.007, count=1100, locks=0.3, length=0.3,
         wave=(0.0012, 0.07),
     ),
-    "curls": Groom(
-        TIED, _long_comb, _bob_cut, layers=(0.004, 0.026), blur=0.007, count=1300, locks=0.7, length=0.2, hold=0.75,
-        wave=(0.008, 0.03), width=0.0045,
-    ),
     "pixie": Groom(
         ADULT, _pixie_comb, _pixie_cut, layers=(0.002, 0.013), rise=0.025, hold=0.9, count=1200, width=0.005,
         locks=0.45,

@@ -35,6 +35,9 @@ const CALM: CharacterState = {
   macros: {},
   pads: {},
   springs: {},
+  complexion: [],
+  folds: 1,
+  skin: {},
 };
 const REST: State = {
   type: "state",
