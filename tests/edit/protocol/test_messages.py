@@ -14,7 +14,7 @@ from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Refusal
 from tools.messages import editing_module
 
-WIRE = (8, "997e408a9320c2b5")
+WIRE = (8, "4d10b3425b227e84")
 """The version of the link, and a fingerprint of what its messages hold."""
 
 

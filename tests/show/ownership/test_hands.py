@@ -18,7 +18,7 @@ from omote.show.objects.hand.macros import MoveMacro
 from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Ping
-from omote.show.objects.motion import SetMotion, SetSpring
+from omote.show.objects.motion import SetMotion, SetSkin, SetSpring
 from omote.show.ownership.hands import (
     AGAIN_SECONDS,
     HandReports,
@@ -103,6 +103,7 @@ def test_every_control_has_its_own_key() -> None:
     messages += [MovePad("one", name, 0.5) for name in ("moods", "mouth")]
     messages += [MoveMacro("one", name, 0.5) for name in ("smile", "jaw")]
     messages += [SetSpring("one", "ears-sway", 0.5), SetSpring("one", "ears-flap", 0.5)]
+    messages += [SetSkin("one", "folds", 0.5), SetSkin("one", "blood", 0.5)]
     assert {type(message) for message in messages} == {kind for kind in CLIENT_MESSAGES if kind.hand is not None}
     assert len({message.control("one") for message in messages}) == len(messages)
 

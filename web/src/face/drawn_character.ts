@@ -240,6 +240,11 @@ export class DrawnCharacter {
     return this.whole && this.risen === 1 && (!this.head.visible || this.hair.settled);
   }
 
+  /** Whether nothing of it swings. */
+  get still(): boolean {
+    return !this.head.visible || this.hair.still;
+  }
+
   /** The faces that are drawn of it, by source. */
   get faces(): string[] {
     return Object.keys(this.pose.faces);

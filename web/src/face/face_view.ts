@@ -189,7 +189,8 @@ export class FaceView {
 
   /** Whether the same scene would be drawn the same again: nothing comes or fades. */
   get still(): boolean {
-    return this.settled && !this.crossfade.running && this.next === undefined;
+    const swings = [...this.characters.values()].some((character) => !character.still);
+    return this.settled && !swings && !this.crossfade.running && this.next === undefined;
   }
 
   /** Where heads lie in the picture last drawn, by name. */

@@ -52,9 +52,14 @@ export class Hair {
     return this.assignment.here;
   }
 
-  /** Whether all hair that was wanted shows in full, and hangs at rest. */
+  /** Whether all hair that was wanted shows in full. */
   get settled(): boolean {
-    return this.assignment.settled && this.swing.still;
+    return this.assignment.settled;
+  }
+
+  /** Whether it hangs at rest: a head that lives moves it all the time. */
+  get still(): boolean {
+    return this.swing.still;
   }
 
   /** Lets it follow a head that turned so far, `seconds` after the last frame; `atOnce`: it hangs at rest. */
