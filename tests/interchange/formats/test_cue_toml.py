@@ -22,6 +22,7 @@ from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import EASINGS
 from omote.perform.layers.layer_names import LAYER_PARTS
+from omote.perform.mappings.mapping import MACRO_LIMITS
 from omote.perform.scene.clip_goals import SETTING, ClipCall, clip_of_goal, goal_of_clip
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
@@ -30,6 +31,7 @@ from omote.perform.scene.goals import (
     Goal,
     Part,
     expression_of,
+    is_of_macros,
     passes,
     ranges_of,
     takes_one_number,
@@ -61,6 +63,8 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
     ranges = ranges_of(part)
     if part.endswith("/look"):
         return draw(st.sampled_from(LOOKS))
+    if is_of_macros(part):
+        return draw(st.dictionaries(st.sampled_from(["smile", "jaw 2"]), st.floats(*MACRO_LIMITS), min_size=1))
     if ranges is not None and takes_one_number(part) and draw(st.booleans()):
         return dict.fromkeys(ranges, draw(st.floats(0.0, 1.0)))
     if ranges is not None:

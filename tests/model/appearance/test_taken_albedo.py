@@ -85,7 +85,7 @@ def test_a_texture_comes_back_as_it_was() -> None:
     taken = take_albedo(SPACE, atlas, face, scan, PLACEMENT, grey())
     off = np.abs(taken.albedo.pixels[..., :3].astype(int) - texture)[taken.seen == 255].max(axis=1)
     assert np.median(off) <= 1
-    assert np.percentile(off, 99) <= 3
+    assert np.percentile(off, 99) <= 4
 
 
 @pytest.mark.parametrize("skin", [(188, 188, 188), (70, 42, 28)])
