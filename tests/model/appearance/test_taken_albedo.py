@@ -73,7 +73,7 @@ def test_a_texture_comes_back_as_it_was() -> None:
     """The scan's texture is the atlas itself, so texels find their own place in it again."""
     assert CAST.atlas is not None
     atlas = CAST.atlas
-    face = CAST.faces["kaori"]
+    face = CAST.faces["child"]
     rows, columns = np.indices((SIDE, SIDE)) / SIDE
     texture = encode_light(0.4 + 0.2 * np.sin(np.stack([60.0 * rows, 50.0 * columns, 40.0 * (rows + columns)], axis=2)))
     scan = Scan(
@@ -85,7 +85,7 @@ def test_a_texture_comes_back_as_it_was() -> None:
     taken = take_albedo(SPACE, atlas, face, scan, PLACEMENT, grey())
     off = np.abs(taken.albedo.pixels[..., :3].astype(int) - texture)[taken.seen == 255].max(axis=1)
     assert np.median(off) <= 1
-    assert np.percentile(off, 99) <= 4
+    assert np.percentile(off, 99) <= 3
 
 
 @pytest.mark.parametrize("skin", [(188, 188, 188), (70, 42, 28)])
