@@ -4,8 +4,10 @@ The rows of the cast's teeth by both rules, and of one jaw the teeth and gums th
 of the rows' lower edge.
 
 24 sums that people make: six performed expressions and the jaw's fader at a half, whole and at its most; four of them
-with the fader of `mouth-open`, and both faders. Depths in millimetres, from straight ahead and turned heads.
-`--faces kaori,dog`, `--made N` (faces made here as an editor makes them), `--turns N`, `--seed`.
+with the fader of `mouth-open`, and both faders. Depths in millimetres. Then `--random N` sums of two to five units of
+the mouth, of one jaw and as drawn alone, with what they turn over and no unit of theirs does.
+`--faces kaori,dog`, `--made N` (faces made here as an editor makes them), `--fits N` (faces of heads from public
+sources: one of Lee Perry-Smith's scan, the others of people of ICT-FaceKit), `--seed`.
 """
 
 from __future__ import annotations
@@ -18,24 +20,32 @@ from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
+from numpy.typing import NDArray
 from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks.maps.inside.mouth_views import TURNS, MouthViews
+import omote
+from benchmarks.maps.inside.mouth_views import MouthViews
+from benchmarks.maps.measures import find_folds
 from benchmarks.mouths import made_faces
+from benchmarks.mouths import sums as draw_sums
+from benchmarks.scans import ict_people, perry_smith
 from omote.builtin import load_cast
 from omote.interchange.drawn_mouth import DrawnMouth
 from omote.interchange.formats.glb_writer import NO_ROW
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
+from omote.model.space.face import Face
 from omote.model.transfer.gum_line import GUMS
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
 
 WORN = ("laugh", "joy", "shout", "surprise", "cry", "mouth-open")
+Values = NDArray[np.float64]
+Parts = Mapping[str, NDArray[np.floating]]
 FADER = (0.5, 1.0, 1.5)
 SUMS: Sequence[tuple[str, Mapping[str, float]]] = (
     *((worn, {"jawOpen": weight}) for worn in WORN for weight in FADER),
@@ -58,36 +68,92 @@ class Row:
     drawn: float
 
 
-def measure(cast: Cast, faces: Sequence[str], turns: Sequence[tuple[int, int]]) -> list[Row]:
+def measure(cast: Cast, faces: Sequence[str]) -> list[Row]:
     """Every sum on every face."""
     views = MouthViews(cast.space)
     found = list[Row]()
     for face in track(faces, "faces", console=Console(stderr=True)):
-        mouth = DrawnMouth(cast.space, cast.looks[face].fur)
+        drawn = DrawnTeeth(cast, face)
         for worn, channels in SUMS:
             frame = Frame({face: 1.0}, {worn: 1.0}, channels)
-            one_jaw = _pierced(cast, views, frame, turns)
-            drawn = _pierced_as_drawn(cast, views, frame, mouth)
+            skin = evaluate(cast, frame).astype(np.float64)
+            parts = evaluate_parts(cast, frame)
             with patch("omote.perform.blending.evaluate.saturate", lambda _cast, _frame, weights: weights):
-                summed = _pierced(cast, views, frame, turns)
+                summed = _pierced(cast, views, evaluate(cast, frame).astype(np.float64), evaluate_parts(cast, frame))
             name = " + ".join([worn, *(f"{channel} {weight:g}" for channel, weight in channels.items())])
-            found.append(Row(face, name, summed, one_jaw, drawn))
+            one_jaw = _pierced(cast, views, skin, parts)
+            found.append(Row(face, name, summed, one_jaw, 1e3 * views.measure_pierced(skin, drawn.triangles(parts))))
     return found
 
 
-def _pierced(cast: Cast, views: MouthViews, frame: Frame, turns: Sequence[tuple[int, int]]) -> float:
-    skin = evaluate(cast, frame).astype(np.float64)
-    return views.look(skin, evaluate_parts(cast, frame), turns).pierced
+def _pierced(cast: Cast, views: MouthViews, skin: Values, parts: Parts) -> float:
+    rows = [parts[name][cast.space.parts[name].triangles].astype(np.float64) for name in GUMS]
+    return 1e3 * views.measure_pierced(skin, np.concatenate(rows))
 
 
-def _pierced_as_drawn(cast: Cast, views: MouthViews, frame: Frame, mouth: DrawnMouth) -> float:
-    skin = evaluate(cast, frame).astype(np.float64)
-    drawn = mouth.draw(evaluate_parts(cast, frame))
-    own = {
-        name: (part.triangles, (part.rows[part.triangles] == NO_ROW).all(axis=1)) for name, part in mouth.parts.items()
-    }
-    teeth = [drawn[name][own[name][0][own[name][1]]] for name in GUMS]
-    return 1e3 * views.measure_pierced(skin, np.concatenate(teeth))
+class DrawnTeeth:
+    """The teeth and gums that stages draw on a face."""
+
+    def __init__(self, cast: Cast, face: str) -> None:
+        self._mouth = DrawnMouth(cast.space, cast.looks[face])
+        self._own = {
+            name: part.triangles[(part.rows[part.triangles] == NO_ROW).all(axis=1)]
+            for name, part in self._mouth.parts.items()
+            if name in GUMS
+        }
+
+    def triangles(self, parts: Parts) -> Values:
+        """Their triangles (t, 3, 3), metres, by the parts of a frame."""
+        drawn = self._mouth.draw(parts)
+        return np.concatenate([drawn[name][triangles] for name, triangles in self._own.items()])
+
+
+@dataclass(frozen=True)
+class RandomSum:
+    """A sum of units on a face: how deep drawn teeth lie outside of the skin, millimetres, and how many triangles of
+    the sheet it turns over that no unit of it does alone."""
+
+    face: str
+    worn: str
+    drawn: float
+    folds: int
+
+
+def measure_random(cast: Cast, faces: Sequence[str], count: int, rng: np.random.Generator) -> list[RandomSum]:
+    """Sums of two to five units of the mouth, other ones on each face, about so many in all."""
+    views = MouthViews(cast.space)
+    sheet = cast.space.sheet_triangles
+    found = list[RandomSum]()
+    for face in track(faces, "random sums", console=Console(stderr=True)):
+        teeth = DrawnTeeth(cast, face)
+        rest = cast.faces[face].positions.astype(np.float64)
+        alone: dict[str, NDArray[np.bool_]] = {}
+
+        def wear(channels: Mapping[str, float], face: str = face) -> tuple[Values, Parts]:
+            frame = Frame({face: 1.0}, {NEUTRAL: 1.0}, channels)
+            return evaluate(cast, frame).astype(np.float64), evaluate_parts(cast, frame)
+
+        for channels in draw_sums(cast, -(-count // len(faces)), rng, 1.0):
+            for unit in channels.keys() - alone.keys():
+                alone[unit] = find_folds(rest, wear({unit: 1.0})[0], sheet)
+            skin, parts = wear(channels)
+            folded = find_folds(rest, skin, sheet) & ~np.any([alone[unit] for unit in channels], axis=0)
+            depth = 1e3 * views.measure_pierced(skin, teeth.triangles(parts))
+            found.append(RandomSum(face, " + ".join(channels), depth, int(folded.sum())))
+    return found
+
+
+def fitted_faces(cast: Cast, count: int, seed: int) -> dict[str, Face]:
+    """So many fits of heads from public sources: of Lee Perry-Smith's scan, and of people of ICT-FaceKit."""
+    points, triangles = perry_smith.read_scan()
+    scan = omote.fit(cast.space, points, triangles, landmarks=perry_smith.clicks(points), shut=True)
+    found = {"Perry-Smith": scan.face}
+    model = ict_people.read_model()
+    for number in range(1, count):
+        person = model.draw((seed, number))
+        fit = omote.fit(cast.space, person, model.triangles, landmarks=model.clicks(person))
+        found[f"ICT {number}"] = fit.face
+    return {name: replace(face, name=name) for name, face in found.items()}
 
 
 def show(title: str, rows: Sequence[Row], by: str) -> None:
@@ -113,25 +179,44 @@ def show(title: str, rows: Sequence[Row], by: str) -> None:
     Console(width=140).print(table)
 
 
+def show_random(rows: Sequence[RandomSum]) -> None:
+    """Prints, face by face, in how many drawn teeth are over the limit, what is turned over, and the worst."""
+    table = Table(title="random sums", title_justify="left")
+    for column in ("face", "sums", f"drawn, over {LIMIT:g}", "worst", "in", "with new folds", "triangles"):
+        table.add_column(column)
+    for group in [*dict.fromkeys(row.face for row in rows), "all"]:
+        among = [row for row in rows if group in (row.face, "all")]
+        worst = max(among, key=lambda row: row.drawn)
+        out = sum(row.drawn > LIMIT for row in among)
+        folded = sum(row.folds > 0 for row in among)
+        counts = (len(among), out, f"{worst.drawn:.2f}", worst.worn, folded, sum(row.folds for row in among))
+        table.add_row(group, *map(str, counts))
+    Console(width=200).print(table)
+
+
 def main() -> None:
     """Measures and prints."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--faces", default="")
-    parser.add_argument("--made", type=int, default=0)
-    parser.add_argument("--turns", type=int, default=3)
+    for name in ("made", "fits", "random"):
+        parser.add_argument(f"--{name}", type=int, default=0)
     parser.add_argument("--seed", type=int, default=int(np.random.default_rng().integers(1_000_000)))
     given = parser.parse_args()
     print(f"seed {given.seed}")
     cast = load_cast()
     rng = np.random.default_rng(given.seed)
-    made = made_faces(cast, given.made, rng)
-    others = [turn for turn in TURNS if turn != (0, 0)]
-    turns = [(0, 0), *(others[at] for at in rng.choice(len(others), given.turns - 1, replace=False))]
-    looks = {**cast.looks, **dict.fromkeys(made, cast.looks["generic"])}
-    whole = replace(cast, faces={**cast.faces, **made}, looks=looks)
-    rows = measure(whole, [name for name in given.faces.split(",") if name] or list(whole.faces), turns)
+    others = made_faces(cast, given.made, rng)
+    if given.fits:
+        others |= fitted_faces(cast, given.fits, given.seed)
+    looks = {**cast.looks, **dict.fromkeys(others, cast.looks["generic"])}
+    whole = replace(cast, faces={**cast.faces, **others}, looks=looks)
+    faces = [name for name in given.faces.split(",") if name] or list(cast.faces)
+    faces += [name for name in others if name not in faces]
+    rows = measure(whole, faces)
     show("by sum", rows, "worn")
     show("by face", rows, "face")
+    if given.random:
+        show_random(measure_random(whole, faces, given.random, rng))
 
 
 if __name__ == "__main__":

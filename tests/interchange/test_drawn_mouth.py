@@ -58,7 +58,7 @@ def test_a_head_that_comes_back_is_the_one_that_was_written() -> None:
 
 @pytest.mark.parametrize("face", ["kaori", "child"])
 def test_the_drawn_tongue_lies_down_in_an_open_jaw_and_comes_out_where_it_is_put_out(face: str) -> None:
-    mouth = DrawnMouth(CAST.space, CAST.looks[face].fur)
+    mouth = DrawnMouth(CAST.space, CAST.looks[face])
     rest, opened, out = (meshes_of(face, name) for name in ("neutral", "jawOpen", "tongueOut"))
     rows = len(CAST.space.parts[TONGUE].points)
 
@@ -72,7 +72,7 @@ def test_the_drawn_tongue_lies_down_in_an_open_jaw_and_comes_out_where_it_is_put
 
 @pytest.mark.parametrize("face", ["kaori", "dog"])
 def test_what_is_drawn_has_an_area_and_normals_of_length_1(face: str) -> None:
-    drawn = DrawnMouth(CAST.space, CAST.looks[face].fur)
+    drawn = DrawnMouth(CAST.space, CAST.looks[face])
     meshes = drawn.draw(meshes_of(face, "jawOpen"))
     for name, part in drawn.parts.items():
         assert len(meshes[name]) == len(part.rows) == len(part.uv) == len(part.shade)
@@ -88,13 +88,13 @@ def test_what_is_drawn_has_an_area_and_normals_of_length_1(face: str) -> None:
 def test_fangs_are_a_carnivores_alone() -> None:
     drawn = {}
     for fur in (0.0, 1.0):
-        mouth = DrawnMouth(CAST.space, fur)
+        mouth = DrawnMouth(CAST.space, Look(fur=fur))
         drawn[fur] = mouth.draw(meshes_of("generic", "neutral"))["teeth_upper"][: -3 * ROWS]
     assert drawn[1.0][:, 1].min() < drawn[0.0][:, 1].min() - 0.001
 
 
 def test_a_head_without_such_teeth_keeps_what_it_has() -> None:
-    assert DrawnMouth(synthetic_cast().space, 0.0).parts == {}
+    assert DrawnMouth(synthetic_cast().space, Look()).parts == {}
     assert DrawnMouth(CAST.space, None).parts == {}
 
 

@@ -16,6 +16,7 @@ from omote.geometry import mesh
 from omote.interchange.part_textures import ARCH
 from omote.interchange.teeth_sheet import COLUMN_ROWS, COLUMNS, TeethSheet, cage_columns, cage_weights, teeth_sheet
 from omote.interchange.tooth_profiles import RIBS, TEETH
+from omote.model.cast import Look
 from omote.model.transfer.gum_line import GUMS
 from tools.node import ROOT, find_node
 
@@ -23,8 +24,11 @@ SPACE = load_cast().space
 BOTH = pytest.mark.parametrize("name", [*GUMS])
 
 
-def sheet_of(name: str, fur: float = 0.0) -> TeethSheet:
-    found = teeth_sheet(SPACE.parts[name].points, upper=name == "teeth_upper", fur=fur)
+LOOKS = {"person": Look(), "milk": Look(milk=1.0), "carnivore": Look(fur=1.0)}
+
+
+def sheet_of(name: str, look: Look) -> TeethSheet:
+    found = teeth_sheet(SPACE.parts[name].points, upper=name == "teeth_upper", look=look)
     assert found is not None
     return found
 
@@ -60,18 +64,46 @@ def test_places_go_along_with_whatever_moves_all_rows_alike(name: str, seed: int
 
 
 @BOTH
-@pytest.mark.parametrize("fur", [0.0, 0.5, 1.0])
-def test_a_sheet_faces_outwards_and_is_the_same_on_both_sides(name: str, fur: float) -> None:
-    sheet = sheet_of(name, fur)
+@pytest.mark.parametrize("look", [*LOOKS.values(), Look(fur=0.5), Look(milk=0.5)])
+def test_a_sheet_faces_outwards_and_is_the_same_on_both_sides(name: str, look: Look) -> None:
+    sheet = sheet_of(name, look)
     points = sheet.weights @ SPACE.parts[name].points
     columns = points.reshape(-1, RIBS, 3)
     np.testing.assert_allclose(columns[::-1] * [-1, 1, 1], columns, atol=3e-5)
     assert set(np.floor(sheet.numbers).astype(int)) == set(range(2 * TEETH + 1))
+    np.testing.assert_allclose(sheet.heights.reshape(-1, RIBS)[::-1], sheet.heights.reshape(-1, RIBS), atol=1e-12)
     normals = mesh.normals(points, sheet.triangles)
     middle = (np.abs(sheet.numbers - (TEETH + 0.5)) < 1e-9) & (sheet.heights == 0.5)
     assert (normals[middle, 2] > 0.5).any(), "a front tooth faces out of the head"
     edges = (np.abs(sheet.numbers - (TEETH + 0.5)) < 1e-9) & (sheet.heights == 1.0)
     assert (normals[edges, 1] * (-1.0 if name == "teeth_upper" else 1.0)).max() > 0.3, "an edge faces the other row"
+
+
+@BOTH
+@pytest.mark.parametrize("look", LOOKS.values(), ids=LOOKS)
+def test_a_row_ends_in_gum_that_sinks_to_nothing(name: str, look: Look) -> None:
+    sheet = sheet_of(name, look)
+    points = 1e3 * (sheet.weights @ SPACE.parts[name].points).reshape(-1, RIBS, 3)
+    heights = sheet.heights.reshape(-1, RIBS)
+    for end in (0, -1):
+        assert (heights[end] < 0.0).all(), "no crown is cut open"
+        ridge = points[end, : RIBS - 2]
+        assert np.ptp(ridge[:, 1]) < 4.0, "gum at the level of palate or floor, that falls as the jaw does"
+        assert np.linalg.norm(np.diff(points[end], axis=0), axis=1).max() < 12.0
+
+
+@BOTH
+def test_a_baby_has_two_small_teeth_a_side_and_gum_behind_them(name: str) -> None:
+    baby, grown = (sheet_of(name, LOOKS[whose]) for whose in ("milk", "person"))
+    number = np.abs(baby.numbers - TEETH)
+    for sheet, last in ((baby, 2.0), (grown, float(TEETH))):
+        assert number[sheet.heights > 0.5].max() == pytest.approx(last, abs=0.5)
+    height = {}
+    for sheet in (baby, grown):
+        points = sheet.weights @ SPACE.parts[name].points
+        crown = (sheet.heights >= 0.0) & (number < 1.0)
+        height[sheet is baby] = np.ptp(points[crown, 1])
+    assert height[True] < 0.7 * height[False]
 
 
 SCRIPT = """
@@ -84,7 +116,7 @@ const sheet = teethSheet(columns, positions, upper);
 const placed = ({{ places }}) =>
   Array.from({{ length: places.length / 3 }}, (_, n) =>
     cagePoint(columns, positions, places.subarray(3 * n, 3 * n + 3)));
-const found = {{ person: placed(sheet.person), carnivore: placed(sheet.carnivore) }};
+const found = {{ person: placed(sheet.person), milk: placed(sheet.milk), carnivore: placed(sheet.carnivore) }};
 console.log(JSON.stringify({{ ...found, marks: [...sheet.marks], triangles: [...sheet.triangles] }}));
 """
 
@@ -108,12 +140,14 @@ def as_stages_have_it(name: str, folder: Path) -> dict[str, Any]:
 @BOTH
 def test_stages_draw_the_same(name: str, tmp_path: Path) -> None:
     theirs = as_stages_have_it(name, tmp_path)
-    marks = np.array(theirs["marks"]).reshape(-1, 3)
+    marks = np.array(theirs["marks"]).reshape(-1, 4)
     triangles = set(map(tuple, np.array(theirs["triangles"]).reshape(-1, 3).tolist()))
     own = marks[:, 2] == 0.0  # palate and floor go to the other side in the shader
-    for whose, fur in (("person", 0.0), ("carnivore", 1.0)):
-        sheet = sheet_of(name, fur)
-        np.testing.assert_allclose(np.column_stack([sheet.heights, sheet.numbers]), marks[:, :2], atol=1e-6)
+    for whose, look in LOOKS.items():
+        sheet = sheet_of(name, look)
+        heights = marks[:, 3] if whose == "milk" else marks[:, 0]
+        np.testing.assert_allclose(sheet.heights, heights, atol=1e-6)
+        np.testing.assert_allclose(sheet.numbers, marks[:, 1], atol=1e-6)
         assert set(map(tuple, sheet.triangles.tolist())) == triangles
         placed = sheet.weights @ SPACE.parts[name].points
         np.testing.assert_allclose(placed[own], np.array(theirs[whose])[own], atol=1e-6)

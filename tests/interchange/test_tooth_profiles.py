@@ -21,7 +21,7 @@ def test_a_tooth_is_the_same_on_both_sides(found: tuple[Tooth, ToothRow], t: flo
     np.testing.assert_array_equal(outline(*found, t, reach), outline(*found, -t, reach))
 
 
-@pytest.mark.parametrize("found", TOOTH_OF_ROW)
+@pytest.mark.parametrize("found", [each for each in TOOTH_OF_ROW if each[0].height > 0.0])
 def test_a_crown_is_as_high_as_its_measure_and_its_sides_are_lower(found: tuple[Tooth, ToothRow]) -> None:
     tooth, row = found
     ribs = outline(tooth, row, 0.0, 18.0)

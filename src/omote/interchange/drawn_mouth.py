@@ -19,6 +19,7 @@ from omote.interchange.formats.glb_writer import NO_ROW
 from omote.interchange.part_textures import ARCH_DEPTH, tongue_uv
 from omote.interchange.teeth_sheet import COLUMNS, TeethSheet, cage_columns, teeth_sheet
 from omote.interchange.tooth_profiles import TEETH
+from omote.model.cast import Look
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.gum_line import GUMS
 
@@ -58,19 +59,19 @@ class DrawnPart:
 
 
 class DrawnMouth:
-    """The mouth of a head as stages draw it; `parts` is empty where it has no teeth in columns, or no fur is said.
+    """The mouth of a head as stages draw it; `parts` is empty where it has no teeth in columns, or no look is given.
 
-    space: of the head; fur: 0 for a person's teeth, 1 for a carnivore's; None for the rows alone.
+    space: of the head; look: whose teeth they are; None for the rows alone.
     """
 
-    def __init__(self, space: ParameterSpace, fur: float | None) -> None:
+    def __init__(self, space: ParameterSpace, look: Look | None) -> None:
         self.parts: dict[str, DrawnPart] = {}
         self._sheets: dict[str, TeethSheet] = {}
         points = {name: part.points for name, part in space.parts.items()}
         for name in GUMS:
-            if fur is None or name not in points:
+            if look is None or name not in points:
                 continue
-            sheet = teeth_sheet(points[name], upper=_is_upper(name), fur=fur)
+            sheet = teeth_sheet(points[name], upper=_is_upper(name), look=look)
             if sheet is not None:
                 self._sheets[name] = sheet
                 self.parts[name] = _teeth(sheet, points[name])

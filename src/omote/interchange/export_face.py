@@ -159,7 +159,7 @@ def build_scene(
     check_known(face, cast.faces, "face")
     fitted = fit(cast.space, cast.faces[face])
     look = cast.looks[face]
-    mouth = DrawnMouth(cast.space, look.fur if drawn else None)
+    mouth = DrawnMouth(cast.space, look if drawn else None)
     rest = mouth.draw(meshes_of(fitted))
     corners = {name: mouth.parts[name].triangles if name in mouth.parts else _corners(cast, name) for name in rest}
     upright = {name: mesh.normals(rest[name], corners[name]) for name in rest}

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from omote.arrays import Indices, Points, Values
 from omote.interchange.part_textures import ARCH
-from omote.interchange.tooth_profiles import JAWS, RIBS, TEETH, ToothRow, outline
+from omote.interchange.tooth_profiles import BEYOND, JAWS, RIBS, TEETH, ToothRow, outline
+from omote.model.cast import Look
 
 COLUMN_ROWS = 4
 COLUMNS = 17
@@ -26,7 +27,8 @@ FRONT_TEETH = 2
 STEPS = 16 * (COLUMNS - 1)
 """Steps along the cage in which its arch is measured."""
 Station = tuple[tuple[int, float, bool], ...]
-"""Where a column of the sheet is: its tooth, its place across it, and whether to the left; two where two teeth meet."""
+"""Where a column of the sheet is: its tooth, its place across it (beyond -1 or 1: behind the last), and whether to the
+left; two where two teeth meet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,11 +87,11 @@ def cage_weights(columns: Indices, places: Values) -> Values:
     return weights
 
 
-def teeth_sheet(points: Points, *, upper: bool, fur: float) -> TeethSheet | None:
+def teeth_sheet(points: Points, *, upper: bool, look: Look) -> TeethSheet | None:
     """The sheet in the cage of a row of teeth; None where it is no such strip.
 
-    points (68, 3): of the generic face, metres; upper: whether it is the upper one; fur: 0 for a person's teeth, 1 for
-    a carnivore's.
+    points (68, 3): of the generic face, metres; upper: whether it is the upper one; look: whose, by `milk` a baby's and
+    by `fur` a carnivore's.
     """
     columns = cage_columns(points, upper=upper)
     if columns is None:
@@ -97,23 +99,32 @@ def teeth_sheet(points: Points, *, upper: bool, fur: float) -> TeethSheet | None
     rows = JAWS["upper" if upper else "lower"]
     arch = _Arch(columns, points)
     stations = _stations()
-    person, carnivore = (np.concatenate([_column(at, rows[whose], arch) for at in stations]) for whose in rows)
-    places = person + fur * (carnivore - person)
-    marks = np.concatenate([_marks(at, rows["person"]) for at in stations])
+    person, milk, carnivore = (
+        np.concatenate([_column(at, rows[whose], arch) for at in stations]) for whose in ("person", "milk", "carnivore")
+    )
+    places = _mixed(_mixed(person, milk, look.milk), carnivore, look.fur)
+    marks, milk_marks = (np.concatenate([_marks(at, rows[whose]) for at in stations]) for whose in ("person", "milk"))
     own = cage_weights(columns, places)
     other = cage_weights(columns, places * [-1.0, 1.0, 1.0] + [COLUMNS - 1.0, 0.0, 0.0])
     weights = own + marks[:, 2:] * (other - own)
-    return TeethSheet(weights, _grid(len(stations), upper=upper), marks[:, 0], marks[:, 1])
+    heights = _mixed(marks[:, 0], milk_marks[:, 0], look.milk * (1.0 - look.fur))
+    return TeethSheet(weights, _grid(len(stations), upper=upper), heights, marks[:, 1])
+
+
+def _mixed(one: Values, other: Values, share: float) -> Values:
+    mixed: Values = one + share * (other - one)
+    return mixed
 
 
 def _stations() -> list[Station]:
     order = [*((tooth, False) for tooth in reversed(range(TEETH))), *((tooth, True) for tooth in range(TEETH))]
-    stations = list[Station]()
+    last = TEETH - 1
+    stations: list[Station] = [((last, -t, False),) for t in reversed(BEYOND)]
     for at, (tooth, left) in enumerate(order):
         for t in ACROSS_FRONT if tooth < FRONT_TEETH else ACROSS_BACK:
             before = ((order[at - 1][0], 1.0, order[at - 1][1]),) if t == -1.0 and at else ()
             stations.append((*before, (tooth, t, left)))
-    return [*stations, ((order[-1][0], 1.0, order[-1][1]),)]
+    return [*stations, *(((last, t, True),) for t in (1.0, *BEYOND))]
 
 
 def _column(station: Station, row: ToothRow, arch: _Arch) -> Values:
@@ -136,8 +147,8 @@ def _arch_place(place: tuple[int, float, bool], row: ToothRow) -> float:
 def _marks(station: Station, row: ToothRow) -> Values:
     """Height, running number and share of the other side of a column, (RIBS, 3)."""
     tooth, t, left = station[0]
-    number = (TEETH + tooth if left else TEETH - 1 - tooth) + 0.5 + 0.5 * t
-    ribs = outline(row.teeth[tooth], row, t, 16.0)
+    number = (TEETH + tooth if left else TEETH - 1 - tooth) + 0.5 + 0.5 * min(max(t, -1.0), 1.0)
+    ribs = np.mean([outline(row.teeth[n], row, place, 16.0) for n, place, _ in station], axis=0)
     return np.column_stack([ribs[:, 2], np.full(RIBS, number), ribs[:, 3]])
 
 

@@ -27,7 +27,20 @@ _REST = 1e-6
 TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
     {"iris_size": (0.5, 2.0), "slit": (0.0, 1.0), "lashes": (0.0, 1.0)}
     | dict.fromkeys(
-        ("pores", "age", "freckles", "stubble", "brows", "makeup", "gloss", "fur", "stripes", "lacquer", "scalp"),
+        (
+            "pores",
+            "age",
+            "freckles",
+            "stubble",
+            "brows",
+            "makeup",
+            "gloss",
+            "fur",
+            "stripes",
+            "lacquer",
+            "scalp",
+            "milk",
+        ),
         (0.0, 1.0),
     )
 )
@@ -43,7 +56,7 @@ class Look:
     coat: the second colour of a fur (muzzle, throat, blaze).
     Of the skin, 0 to 1: pores; age (lines, spots, thin lips); freckles; stubble; brows (0 none, 1 bushy); makeup of the
     eyes; gloss of the lips; fur instead of bare skin; stripes, from a hound's coat (0) to a tabby's (1); lacquer, the
-    painted white of a mask; scalp, the shadow of hair on the skin.
+    painted white of a mask; scalp, the shadow of hair on the skin; milk, a baby's few small teeth.
     albedo: the picture of a certain person that stands in place of what is painted, where there is one.
     """
 
@@ -69,6 +82,7 @@ class Look:
     stripes: float = 0.0
     lacquer: float = 0.0
     scalp: float = 1.0
+    milk: float = 0.0
     albedo: Albedo | None = None
 
     def __post_init__(self) -> None:

@@ -38,6 +38,7 @@ class Look(msgspec.Struct, frozen=True):
     stripes: float
     lacquer: float
     scalp: float
+    milk: float
 
 
 class LineDocument(msgspec.Struct, frozen=True):

@@ -147,6 +147,7 @@ PEOPLE: Mapping[str, Person] = {
             "brows": 0.42,
             "gloss": 0.5,
             "scalp": 0.1,
+            "milk": 1.0,
         },
     ),
     "old": Person(

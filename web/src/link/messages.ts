@@ -1835,6 +1835,7 @@ export type Look = {
   stripes: number;
   lacquer: number;
   scalp: number;
+  milk: number;
 };
 
 /**

@@ -235,7 +235,8 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
 def _scale_mouth(parts: dict[str, Values], scale: float) -> None:
     mouth = [name for name in MOUTH if name in parts]
     if mouth:
-        middle = np.concatenate([parts[name] for name in mouth]).mean(axis=0)
+        every = np.concatenate([parts[name] for name in mouth])
+        middle = [*every[:, :2].mean(axis=0), every[:, 2].max()]  # teeth stay as near to the lips as they were
         for name in mouth:
             parts[name] = middle + scale * (parts[name] - middle)
 

@@ -5,7 +5,7 @@ import type { Library, Mesh } from "../../link/assets";
 import { FOLDING_MOST, HAIRLINE } from "../../link/constants";
 import { bloodSpots } from "./blood_spots";
 import { type CorrectivesData, readCorrectives } from "./correctives_data";
-import { bagDepths, lipRows } from "./mouth_bag";
+import { bagDepths, bagTurns, lipRows } from "./mouth_bag";
 import { type RegionMasks, readRegionMasks } from "./region_masks";
 import { distances, type Fans, fans, lowestBorder, rowTriangles, smoothed } from "./topology";
 
@@ -59,11 +59,11 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
   const skin = library.meshes.findIndex((mesh) => mesh.name === "skin");
   const rim = skin < 0 ? [] : lowestBorder(triangles[skin] as Uint32Array, positions);
   const sky = smoothed(around, openness(library), 1, 1);
-  const traits = readTraits(around, positions, rim, library.manifest.skin, sky);
-  const eyes = eyeRows(library.meshes);
   const { lines, manifest } = library;
   const line = lines.get("lips") ?? [];
   const bag = bagDepths(around, positions, line, rim[0] ?? 0, manifest.skin);
+  const traits = readTraits(around, positions, rim, bag, manifest.skin, sky);
+  const eyes = eyeRows(library.meshes);
   const lips = lipRows(line, positions);
   const folds = foldingOf(library, triangles[skin] ?? new Uint32Array());
   const spots = bloodSpots(positions);
@@ -133,17 +133,19 @@ function readTraits(
   around: Fans,
   positions: Float32Array,
   rim: readonly number[],
+  bag: Float32Array,
   skin: number,
   sky: Float32Array,
 ): Float32Array {
   const rows = around.starts.length - 1;
   const far = distances(around, positions, rim);
-  const turn = smoothed(
+  const outside = smoothed(
     around,
     far.map((distance) => smooth((distance - 0.008) / NECK)),
     1,
     6,
   );
+  const turn = bagTurns(positions, bag.subarray(0, skin), outside);
   const traits = new Float32Array(4 * rows);
   for (let row = 0; row < rows; row++) {
     const part = row < skin ? (turn[row] as number) : 1;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { bagDepths } from "./mouth_bag";
+import { bagDepths, bagTurns } from "./mouth_bag";
 import { fans } from "./topology";
 
 /** A tube of rings a centimetre apart, each of so many rows; its third ring is the lips' line. */
@@ -33,5 +33,16 @@ describe("the lining of the mouth", () => {
 
   it("is nothing where a cast names no lips", () => {
     expect(bagDepths(around, positions, [], 0, rows)).toEqual(new Float32Array(rows + 1));
+  });
+});
+
+describe("the turn of the lining", () => {
+  it("is the head's behind the lips and that of the skin around it in the throat", () => {
+    // outer skin at four heights, which turns the less the lower it is; lining behind it, ever deeper
+    const places = Float32Array.from([0, 1, 2, 3].flatMap((n) => [0, -0.02 * n, 0.08, 0, -0.02 * n, 0.07]).flat());
+    const bag = Float32Array.from([0, 0.01, 0, 0.02, 0, 0.06, 0, 0.08]);
+    const outside = Float32Array.from([1, 1, 0.8, 1, 0.5, 1, 0.2, 1]);
+    const turns = bagTurns(places, bag, outside);
+    expect(Array.from(turns)).toEqual(Array.from(Float32Array.from([1, 1, 0.8, 1, 0.5, 0.5, 0.2, 0.2])));
   });
 });

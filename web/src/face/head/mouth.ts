@@ -52,11 +52,11 @@ function sheetPart(sheet: Sheet, columns: readonly Column[], uniforms: Uniforms)
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(sheet.triangles, 1));
   const put = (name: string, values: Float32Array) => geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
-  put("person", sheet.person.places);
-  put("personFacing", sheet.person.facings);
-  put("carnivore", sheet.carnivore.places);
-  put("carnivoreFacing", sheet.carnivore.facings);
-  put("marks", sheet.marks);
+  for (const whose of ["person", "milk", "carnivore"] as const) {
+    put(`${whose}Place`, sheet[whose].places);
+    put(`${whose}Facing`, sheet[whose].facings);
+  }
+  geometry.setAttribute("marks", new THREE.BufferAttribute(sheet.marks, 4));
   const look = material(SHEET_VERTEX, SHEET_FRAGMENT, {
     ...uniforms,
     cage: { value: Int32Array.from(columns.flat()) },

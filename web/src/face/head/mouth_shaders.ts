@@ -148,8 +148,7 @@ const GUM_END = "0.16";
 /** Teeth as strips: each with its own width, length and roundness, gum that climbs between them. */
 export const TEETH_FRAGMENT = `${MOUTH_HEAD}
 in vec4 vPlace;
-uniform float age;
-uniform float fur;
+uniform float age, fur, milk;
 
 /** A tooth's width on the arch, radians, by its number from the middle: of a person, of a carnivore. */
 float wideAt(int n, float upper) {
@@ -178,7 +177,8 @@ float endOf(vec3 tooth, float upper) {
   float person = 1.0 - 0.075 * sides * sides * sides - (tooth.z == 2.0 ? 0.07 * across : 0.0) - (tooth.z == 1.0 ? 0.05 * upper : 0.0);
   // Three small incisors, a fang, and cheek teeth that cut.
   float carnivore = tooth.z < 3.0 ? 0.70 - 0.12 * sides : tooth.z == 3.0 ? 1.0 - 0.52 * across : 0.84 - 0.28 * pow(across, 1.3);
-  return mix(person, carnivore, fur);
+  float baby = tooth.z < 2.0 ? 0.94 - 0.06 * sides : 0.72; // incisors alone, and gum
+  return mix(mix(person, baby, milk), carnivore, fur);
 }
 
 /** The gum ends so far above the row's own end, where it comes through cheeks first. */
@@ -196,6 +196,7 @@ void main() {
 #endif
   if (cover <= 0.0) discard;
   float gumLine = 0.36 + 0.13 * sides * sides - (tooth.z == 1.0 ? 0.0 : 0.03);
+  gumLine = mix(gumLine, tooth.z < 2.0 ? 0.66 + 0.06 * sides : 1.2, milk * (1.0 - fur));
   float gum = 1.0 - smoothstep(gumLine - 0.03, gumLine + 0.03, height);
   float groove = smoothstep(0.84, 1.0, abs(across)) * (1.0 - gum);
 

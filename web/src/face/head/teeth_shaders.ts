@@ -9,12 +9,14 @@ import { COLUMN_ROWS, COLUMNS } from "./teeth_cage";
  */
 export const SHEET_VERTEX = `${MOUTH_LIGHT}
 uniform int cage[${COLUMN_ROWS * COLUMNS}]; // gum, middle, edge, behind of each column
-uniform float fur;
-in vec3 person; // column, up, inward
+uniform float fur, milk;
+in vec3 personPlace; // column, up, inward
 in vec3 personFacing;
-in vec3 carnivore;
+in vec3 milkPlace;
+in vec3 milkFacing;
+in vec3 carnivorePlace;
 in vec3 carnivoreFacing;
-in vec3 marks; // height, running number of the tooth, share of the other side
+in vec4 marks; // height, running number of the tooth, share of the other side, height among milk teeth
 out vec2 vMarks;
 
 /** A place in the cage, and the steps that lead away from it. */
@@ -41,8 +43,8 @@ Place placeAt(float column, float up, float inward) {
 }
 
 void main() {
-  vec3 at = mix(person, carnivore, fur);
-  vec3 facing = mix(personFacing, carnivoreFacing, fur);
+  vec3 at = mix(mix(personPlace, milkPlace, milk), carnivorePlace, fur);
+  vec3 facing = mix(mix(personFacing, milkFacing, milk), carnivoreFacing, fur);
   Place place = placeAt(at.x, at.y, at.z);
   vec3 here = place.point;
   vec3 normal = facing.x * cross(place.up, place.inward) + facing.y * cross(place.inward, place.along) + facing.z * cross(place.along, place.up);
@@ -52,7 +54,7 @@ void main() {
   }
   vPoint = turned(here, 1.0);
   vNormal = turnedNormal(normalize(normal), 1.0);
-  vMarks = marks.xy;
+  vMarks = vec2(mix(marks.x, marks.w, milk * (1.0 - fur)), marks.y);
   vLight = lightAt(here);
   gl_Position = project(vPoint);
 }

@@ -51,8 +51,8 @@ const sheets = [true, false].map((upper) => {
 /** Height, number and share of the other side of each vertex. */
 const marks = ({ marks: values }: { marks: Float32Array }) =>
   Array.from(
-    { length: values.length / 3 },
-    (_, n) => Array.from(values.subarray(3 * n, 3 * n + 3)) as [number, number, number],
+    { length: values.length / 4 },
+    (_, n) => Array.from(values.subarray(4 * n, 4 * n + 3)) as [number, number, number],
   );
 
 describe("the columns of a row of teeth", () => {
@@ -106,11 +106,11 @@ describe("a place in the cage", () => {
 
 describe("the sheet of a jaw's teeth", () => {
   it("stays below three thousand vertices with both jaws and the cast's tongue", () => {
-    const vertices = sheets.reduce((sum, { sheet }) => sum + sheet.marks.length / 3, 0);
+    const vertices = sheets.reduce((sum, { sheet }) => sum + sheet.marks.length / 4, 0);
     expect(vertices).toBeLessThan(3000 - 226);
   });
 
-  for (const kind of ["person", "carnivore"] as const)
+  for (const kind of ["person", "milk", "carnivore"] as const)
     it(`has teeth that follow each other along the arch without lying over one another, ${kind}`, () => {
       for (const { sheet } of sheets) {
         const columns = sheet[kind].places.filter((_, at) => at % (3 * RIBS) === 0);
@@ -120,7 +120,7 @@ describe("the sheet of a jaw's teeth", () => {
 
   it("is the same on both sides", () => {
     for (const { sheet, points } of sheets)
-      for (const kind of ["person", "carnivore"] as const) {
+      for (const kind of ["person", "milk", "carnivore"] as const) {
         const places = points(sheet[kind]);
         const columns = places.length / RIBS;
         places.forEach(([x, y, z], at) => {

@@ -1,7 +1,7 @@
 /** The surface of a jaw's teeth, gums and palate or floor, made once in the cage of the generic face. */
 
 import { type CagePlace, COLUMNS, type Column, cagePoint } from "./teeth_cage";
-import { JAWS, outline, RIBS, type Rib, type Row, type Tooth } from "./tooth_profiles";
+import { BEYOND, JAWS, type Jaw, outline, RIBS, type Rib, type Row, type Tooth } from "./tooth_profiles";
 
 /** Places across a front tooth and one further back, -1..1; the last is the next one's first. */
 const ACROSS = {
@@ -27,12 +27,16 @@ export interface Shape {
 export interface Sheet {
   readonly triangles: Uint32Array;
   readonly person: Shape;
+  readonly milk: Shape;
   readonly carnivore: Shape;
-  /** Per vertex: height (`Rib`), the tooth's running number from the right end, whose fraction is the place across, and share of the other side. */
+  /**
+   * Per vertex: height (`Rib`), the tooth's running number from the right end, whose fraction is the place across, share of
+   * the other side, and the height among milk teeth.
+   */
   readonly marks: Float32Array;
 }
 
-/** Where a column of the sheet is: its tooth and its place across it; two teeth meet where there are two. */
+/** Where a column of the sheet is: its tooth and its place across it (beyond -1 or 1: behind the last); two teeth meet where there are two. */
 type Station = readonly { readonly tooth: number; readonly t: number; readonly left: boolean }[];
 
 /** The sheet of a jaw; `columns`, `positions`: its cage on the generic face, metres. */
@@ -48,8 +52,9 @@ export function teethSheet(columns: readonly Column[], positions: Float32Array, 
   return {
     triangles,
     person: shape(jaw.person),
+    milk: shape(jaw.milk),
     carnivore: shape(jaw.carnivore),
-    marks: marksOf(stations, jaw.person),
+    marks: marksOf(stations, jaw),
   };
 }
 
@@ -65,7 +70,9 @@ function stationsOf(half: number): Station[] {
       t > -1 ? [{ tooth, t, left }] : [...ends(at - 1).map((before) => ({ ...before, t: 1 })), { tooth, t, left }],
     ),
   );
-  return [...stations, ends(order.length - 1).map((last) => ({ ...last, t: 1 }))];
+  const at = (end: Station, t: number): Station => end.map((place) => ({ ...place, t }));
+  const [first, last] = [ends(0), ends(order.length - 1)];
+  return [...[...BEYOND].reverse().map((t) => at(first, -t)), ...stations, ...[1, ...BEYOND].map((t) => at(last, t))];
 }
 
 /** The places of one column of the sheet, from outer gum to the middle of palate or floor. */
@@ -90,15 +97,25 @@ function archPlace({ tooth, t, left }: Station[number], teeth: readonly Tooth[])
   return (left ? 1 : -1) * (before + (0.5 + 0.5 * outward) * (widths[tooth] as number));
 }
 
-function marksOf(stations: readonly Station[], row: Row): Float32Array {
+function marksOf(stations: readonly Station[], { person, milk }: Jaw): Float32Array {
+  const half = person.teeth.length;
   return Float32Array.from(
     stations.flatMap((station) => {
       const { tooth, t, left } = station[0] as Station[number];
-      const half = row.teeth.length;
-      const number = (left ? half + tooth : half - 1 - tooth) + 0.5 + 0.5 * t;
-      const ribs = outline(row.teeth[tooth] as Tooth, row, t, 16);
-      return ribs.flatMap(({ height, across }) => [height, number, across]);
+      const number = (left ? half + tooth : half - 1 - tooth) + 0.5 + 0.5 * Math.min(Math.max(t, -1), 1);
+      const [grown, small] = [heightsOf(station, person), heightsOf(station, milk)];
+      const across = outline(person.teeth[tooth] as Tooth, person, t, 16).map((rib) => rib.across);
+      return across.flatMap((share, n) => [grown[n] as number, number, share, small[n] as number]);
     }),
+  );
+}
+
+/** The heights of one column of the sheet. */
+function heightsOf(station: Station, row: Row): number[] {
+  const outlines = station.map(({ tooth, t }) => outline(row.teeth[tooth] as Tooth, row, t, 16));
+  return Array.from(
+    { length: RIBS },
+    (_, n) => outlines.reduce((sum, ribs) => sum + (ribs[n] as Rib).height, 0) / outlines.length,
   );
 }
 

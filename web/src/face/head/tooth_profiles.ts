@@ -2,7 +2,7 @@
 
 import { JAWS as MEASURES } from "../../link/constants";
 
-/** A tooth; millimetres. */
+/** A tooth; millimetres. One of no height has not come through: where it is, gum is as high as its edge would be. */
 export interface Tooth {
   readonly width: number;
   /** From the gum line in its middle to its edge. */
@@ -29,9 +29,10 @@ export interface Row {
   readonly vault: number;
 }
 
-/** Whose teeth: those of the face at rest, and those that fur brings (a carnivore's). */
+/** Whose teeth: those of the face at rest, a baby's, and those that fur brings (a carnivore's). */
 export interface Jaw {
   readonly person: Row;
+  readonly milk: Row;
   readonly carnivore: Row;
 }
 
@@ -70,43 +71,64 @@ const FRONT: readonly (readonly [number, number])[] = [
   [0.95, 0.85],
 ];
 
+/** Places behind the last tooth, in halves of its width from its middle, at which the gum goes on; at the last it is gone. */
+export const BEYOND = [1.12, 1.7, 2.7] as const;
+
 /**
  * The outline of a tooth at `t` (-1..1 across it); `reach`: millimetres from the cage's edge to its gum. The gum climbs
- * between teeth (papillae), the crown's corners are round, and its sides go in, so that teeth stand apart.
+ * between teeth (papillae), the crown's corners are round, and its sides go in, so that teeth stand apart. Beyond -1 and 1
+ * there is gum alone, which sinks up to the last place of BEYOND: so a row's end is closed.
  */
 export function outline(of: Tooth, row: Row, t: number, reach: number): Rib[] {
   const far = Math.abs(t);
+  const high = Math.max(reach, LOWEST_GUM) + row.vault;
+  const behind = of.depth + 2;
+  return [
+    ...(far <= 1 && of.height > 0 ? crown(of, row, far, reach) : ridge(of, row, far, reach)),
+    { up: 0.85 * high, inward: behind, height: -0.6, across: 0.2 },
+    { up: high, inward: behind, height: -1, across: 0.5 },
+  ].map((rib) => ({ ...rib, inward: row.inside + rib.inward }));
+}
+
+const rib = (up: number, inward: number, height: number): Rib => ({ up, inward, height, across: 0 });
+
+/** Gum without a tooth, and behind the last one: half an ellipse over palate or floor. */
+function ridge(of: Tooth, row: Row, far: number, reach: number): Rib[] {
+  const gum = Math.min(of.height - of.over - row.over, MOST * reach);
+  const low = Math.max(reach - SHORT, gum + 1.5);
+  const left = (BEYOND[2] - Math.max(far, 1)) / (BEYOND[2] - 1);
+  const last = RIBS - 3;
+  return Array.from({ length: RIBS - 2 }, (_, n) => {
+    const around = (Math.PI * n) / last;
+    const rise = left * Math.sin(around);
+    const beside = UNDER + (of.depth + 1.1 - UNDER) * (0.5 - 0.5 * Math.cos(around));
+    return rib(low - (low - gum) * rise, beside, 0.88 * rise - 1);
+  });
+}
+
+function crown(of: Tooth, row: Row, far: number, reach: number): Rib[] {
   const edge = of.corner * far ** of.power - of.over - row.over;
   const full = Math.min(of.height - of.over - row.over, MOST * reach);
   const front = full - 0.4 * of.height * far ** 2.4;
   const back = full - 0.28 * of.height * far ** 2.4;
-  const aside = 0.45 * t * t + 1.1 * far ** 5;
-  const rib = (up: number, inward: number, height: number, across = 0): Rib => ({
-    up,
-    inward: row.inside + inward,
-    height,
-    across,
-  });
-  const crown = (gum: number, share: number, inward: number): Rib => rib(gum + (edge - gum) * share, inward, share);
+  const aside = 0.45 * far * far + 1.1 * far ** 5;
   const last = reach - SHORT;
   const ground = of.hollow > 0 ? 0.28 * of.depth : 0.6;
   const inner = ground + of.edge;
-  const high = Math.max(reach, LOWEST_GUM) + row.vault;
   const neck = of.depth - 0.4 - aside;
+  const enamel = (gum: number, share: number, inward: number): Rib => rib(gum + (edge - gum) * share, inward, share);
   return [
     rib(Math.max(last, front + 1.5), UNDER, -1),
     rib(Math.max(front + 1.2, 0.5 * (front + last)), 0.7, -0.55),
     rib(front + 0.8, -0.1 + 0.4 * aside, -0.12),
     rib(front - 0.1, 0.2 + 0.55 * aside, -0.01),
-    ...FRONT.map(([share, inward]) => crown(front, share, inward + aside)),
+    ...FRONT.map(([share, inward]) => enamel(front, share, inward + aside)),
     rib(edge, Math.min(ground + aside, neck), 1),
     rib(edge + of.hollow * (1 - far * far), Math.min(ground + 0.5 * of.edge, neck), 1),
     rib(edge + 0.1, Math.min(inner, neck + 0.2), 1),
-    crown(back, 0.6, 0.5 * (inner + neck)),
-    crown(back, 0.15, neck),
+    enamel(back, 0.6, 0.5 * (inner + neck)),
+    enamel(back, 0.15, neck),
     rib(back - 0.05, of.depth, -0.01),
     rib(back + 0.25 * (last - back), of.depth + 1.1, -0.3),
-    rib(0.85 * high, of.depth + 2, -0.6, 0.2),
-    rib(high, of.depth + 2, -1, 0.5),
   ];
 }

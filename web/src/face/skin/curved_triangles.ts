@@ -1,7 +1,7 @@
 /** Large triangles of the skin, divided so that they can be drawn curved. */
 
-/** The edge, metres on the generic face, above which a triangle shows as one. */
-export const LONGEST_EDGE = 0.018;
+/** The edge, metres on the generic face, above which a triangle shows as one: in a picture of all detail, and else. */
+export const LONGEST_EDGE = { detail: 0.014, plain: 0.018 } as const;
 
 /** Vertices on large triangles: each between three vertices of the mesh. */
 export interface CurvedTriangles {

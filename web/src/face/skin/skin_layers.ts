@@ -33,6 +33,7 @@ export const SKIN_TRAITS = [
   "stripes",
   "lacquer",
   "scalp",
+  "milk",
 ] as const satisfies readonly (keyof Look)[];
 type SkinTrait = (typeof SKIN_TRAITS)[number];
 

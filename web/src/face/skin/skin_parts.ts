@@ -43,7 +43,8 @@ export function skinParts(
     return Array.from(positions.subarray(3 * row, 3 * row + 3));
   };
   const edge = detail ? Array.from(lines.get("lips") ?? []) : [];
-  const divided = divideLong(mesh.triangles, place, longestBeside(edge, positions));
+  const longest = longestBeside(edge, positions, LONGEST_EDGE[detail ? "detail" : "plain"]);
+  const divided = divideLong(mesh.triangles, place, longest);
   const columns: Columns = {
     uv: [mesh.uv, 2],
     traits: [atRows(mesh, traits, 4), 4],
@@ -86,9 +87,9 @@ function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonl
  * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips in a close-up. What
  * it may be grows no faster than the way from the line, else slivers would be divided without end.
  */
-function longestBeside(line: readonly number[], positions: Float32Array): Longest {
+function longestBeside(line: readonly number[], positions: Float32Array, most: number): Longest {
   return (middle) => {
-    let nearest = LONGEST_EDGE - LONGEST_AT_LIPS;
+    let nearest = most - LONGEST_AT_LIPS;
     for (const row of line) {
       let square = 0;
       for (let axis = 0; axis < 3; axis++)
