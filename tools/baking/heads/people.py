@@ -166,7 +166,7 @@ PEOPLE: Mapping[str, Person] = {
         gains=soft_gains(jowls=2.0, cheeks=1.2),
         look={
             "skin": "#dcb59d",
-            "lip": "#a9685f",
+            "lip": "#b26a62",
             "brow": "#c9bdae",
             "blush": "#c56f60",
             "iris": "#6d8894",

@@ -121,7 +121,9 @@ Ground ground(Layers at, float hairline) {
   seen = mix(seen, own.brow * 0.5, at.patches.a * lacquer);
   seen = mix(seen, scalpHair(at.marks.a), grown);
   seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
-  float left = mix(at.mask.a, 0.75, max(lining, 0.6 * human * smoothstep(0.5, 0.8, at.mask.r))); // light comes in between lips, and through them
+  // Light comes in between lips, and through them: beyond the red too, which thins with age, else a brown rim stays.
+  float through = max(lining, 0.6 * smoothstep(0.25, 0.6, at.mask.r) * (1.0 - own.fur));
+  float left = mix(at.mask.a, max(at.mask.a, 0.75), through);
   left *= mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
   found.albedo = max(seen * left * bareness + madeUp(at, picture, grown) * mix(1.0, left, 0.5), 0.0);
   found.left = left * bareness + picture.a * mix(1.0, left, 0.5);
