@@ -41,6 +41,8 @@ LASHES = "lashes"
 TONGUE = "tongue"
 JAW_OPEN = "jawOpen"
 MOUTH_CLOSE = "mouthClose"
+SPARE = 0.0005
+"""Metres that teeth stay behind lips closed over a whole open jaw: over a half open one lips press further in."""
 REST = 5e-7
 STRAIGHT = 1e-4
 """A target leaves out vertices that move less (metres) and whose normal changes less."""
@@ -200,7 +202,7 @@ def close_over_teeth(space: ParameterSpace, fitted: FittedFace, poses: dict[str,
         if name in rest
     }
     skin = both.pop(SKIN)
-    kept = keep_teeth_inside(space, fitted, skin, both, clearance=0.0)
+    kept = keep_teeth_inside(space, fitted, skin, both, clearance=SPARE)
     return poses | {MOUTH_CLOSE: closed | {name: closed[name] + (kept[name] - both[name]) for name in both}}
 
 
