@@ -2,7 +2,6 @@ import { expect, it } from "vitest";
 import {
   adviseOnCalibration,
   fitHand,
-  type HandCalibration,
   type HandSample,
   handSample,
   readCalibration,
@@ -83,7 +82,7 @@ it("keeps a calibration as text, and takes no other text for one", () => {
     "",
     "{}",
     "[1]",
-    text.replace('"version":1', '"version":2'),
+    text.replace('"version":2', '"version":1'),
     text.replace('"delay":', '"x":'),
     text.replace('"palms":[[', '"palms":[[1,'),
   ])
@@ -110,11 +109,4 @@ it("says that pictures were too few, where they were, and nothing of the hand", 
 it("knows a delay only where the opening was followed", () => {
   expect(sayDelay(calibration)).toContain("240 ms behind");
   expect(sayDelay({ ...calibration, fit: [0.5, 1, 1, 1, 1, 1], delay: 0 })).toBe("");
-});
-
-it("reads a calibration of before pictures were counted", () => {
-  const { rate: _, ...before } = calibration;
-  const kept = readCalibration(JSON.stringify(before));
-  expect(kept).toMatchObject(before);
-  expect(adviseOnCalibration({ ...(kept as HandCalibration), fit: [0, 1, 1, 1, 1, 1] }, "", 1e12)).toContain("profile");
 });
