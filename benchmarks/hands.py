@@ -66,6 +66,10 @@ SHOWN = 2.0
 AWAY = 1.0
 """Seconds of a film: an empty room, a hand that gets ready, the minute, then play, 4 Hz, and three times there and
 away."""
+RETURNS = 1.2
+"""Seconds in which a hand that is back takes over, the page's delay with it: then it plays as before."""
+LEAPS = 0.6
+"""Seconds in which play leaves what a film's performer does from one picture to the next where 4 Hz begin."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -289,8 +293,11 @@ class Played:
 
 
 def steps_on_air(sent: list[tuple[float, dict[str, Any]]], script: Script) -> tuple[float, float]:
-    """What the head's and the channels' speed changes by in a tick at most, played by the show's own engine: in play,
-    and where the hand goes and comes back; of each channel (1/s) and angle (10 degrees a second).
+    """What the head's and the channels' speed changes by in a tick at most, played by the show's own engine, beside
+    play's: where the hand goes and takes over again; and from the first loss to the end, beside play before it.
+
+    Between two losses the hand plays: for the first that is play too, and the second says of two stretches of play
+    which is the wilder.
 
     sent: what the page sent, by the film's time; script: of the film.
     """
@@ -315,9 +322,15 @@ def steps_on_air(sent: list[tuple[float, dict[str, Any]]], script: Script) -> tu
         now += TICK
     steps = np.abs(np.diff(np.array(shown), 2, axis=0)).max(1) / TICK
     at = np.array(times[2:])
-    play = (at > script.begins["play"] + 1.0) & (at < script.begins["away 0"])
-    lost = at >= script.begins["away 0"]
-    return float(steps[play].max()), float(steps[lost].max())
+    begins = script.begins
+    lost = np.zeros(len(at), bool)
+    for number in range(3):
+        lost |= (at >= begins[f"away {number}"]) & (at < begins[f"back {number}"] + RETURNS)
+    after = at >= begins["away 0"]
+    play = at > begins["play"] + 1.0
+    leap = (at >= begins["fast"]) & (at < begins["fast"] + LEAPS)
+    most = [float(steps[part].max()) for part in (lost, play & ~lost & ~leap, after, play & ~after)]
+    return most[0] / most[1], most[2] / most[3]
 
 
 def judge(found: dict[str, Any], script: Script, seconds: float) -> list[tuple[str, float, float, bool]]:
@@ -326,7 +339,7 @@ def judge(found: dict[str, Any], script: Script, seconds: float) -> list[tuple[s
     readings = [(time - found["began"], axes) for time, axes in found["readings"] if axes is not None]
     played = Played(np.array([time for time, _ in readings]), np.array([axes for _, axes in readings]), script)
     lag, axes = played.compare("play", "fast")
-    in_play, lost = steps_on_air(sent, script)
+    lost, after = steps_on_air(sent, script)
     passes = len(found["readings"]) / seconds
     rows = [("jaw, correlation", axes[0][0], 0.95, axes[0][0] >= 0.95)]
     rows += [("jaw, rms error", axes[0][1], 0.12, axes[0][1] <= 0.12)]
@@ -336,7 +349,8 @@ def judge(found: dict[str, Any], script: Script, seconds: float) -> list[tuple[s
     ]
     amplitude = played.amplitude()
     rows += [("opening at 4 Hz, amplitude left", amplitude, 0.7, amplitude >= 0.7)]
-    rows += [("steps lost and back, beside play's", lost / in_play, 1.0, lost <= in_play)]
+    rows += [("steps lost and back, beside play's", lost, 1.0, lost <= 1.0)]
+    rows += [("steps after a loss, beside before it", after, math.nan, True)]
     rows += [
         ("passes a second of the film", passes, math.nan, True),
         ("faces a second of the film", found["faces"] / seconds, math.nan, True),

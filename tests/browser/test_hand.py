@@ -29,13 +29,14 @@ NUMBERS = 132
 def flat(*offsets: float) -> dict[str, object]:
     """A map that reads the same of every hand."""
     zeros = [0.0] * NUMBERS
-    return {"means": zeros, "scales": zeros, "offsets": offsets, "weights": [zeros] * len(offsets)}
+    nothing = [[0.0]] * len(offsets)
+    return {"means": zeros, "scales": zeros, "supports": [zeros], "offsets": offsets, "weights": nothing}
 
 
 PALM = [1, 0, 0, 0, 1, 0, 0, 0, 1]
 CALIBRATION = {
-    "version": 1, "made": 0, "camera": "", "side": "right", "place": [0.4, 0.5], "delay": 0.2, "palms": [PALM, PALM],
-    "map": flat(0.6, -0.5, 0.0, 0.0, 0.0, 0.0), "fit": [1.0] * 6,
+    "version": 2, "made": 0, "camera": "", "side": "right", "place": [0.4, 0.5], "delay": 0.2, "palms": [PALM, PALM],
+    "map": flat(0.6, -0.5, 0.0, 0.0, 0.0, 0.0), "fit": [1.0] * 6, "rate": 20.0,
 }  # fmt: skip
 """A mouth open by .6 and brows half up, whatever the hand does: how hands are read is tested without a browser."""
 

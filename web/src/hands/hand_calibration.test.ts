@@ -2,7 +2,6 @@ import { expect, it } from "vitest";
 import {
   adviseOnCalibration,
   fitHand,
-  type HandCalibration,
   type HandSample,
   handSample,
   readCalibration,
@@ -32,7 +31,8 @@ function perform(delay: number, rate = 8, noise = 0.002): HandSample[] {
 const calibration = fitHand(perform(0.24), 20, "Camera A", 1e12);
 
 it("finds the performer's own delay, side and place", () => {
-  for (const delay of [0.1, 0.24, 0.4]) expect(fitHand(perform(delay), 20, "", 0).delay).toBeCloseTo(delay, 1);
+  expect(calibration.delay).toBeCloseTo(0.24, 1);
+  for (const delay of [0.1, 0.4]) expect(fitHand(perform(delay), 20, "", 0).delay).toBeCloseTo(delay, 1);
   expect(calibration).toMatchObject({ side: "right", camera: "Camera A", made: 1e12 });
   expect(calibration.place[0]).toBeCloseTo(0.4, 1);
   expect(Math.min(...calibration.fit)).toBeGreaterThan(0.9);
@@ -83,7 +83,7 @@ it("keeps a calibration as text, and takes no other text for one", () => {
     "",
     "{}",
     "[1]",
-    text.replace('"version":1', '"version":2'),
+    text.replace('"version":2', '"version":1'),
     text.replace('"delay":', '"x":'),
     text.replace('"palms":[[', '"palms":[[1,'),
   ])
@@ -110,11 +110,4 @@ it("says that pictures were too few, where they were, and nothing of the hand", 
 it("knows a delay only where the opening was followed", () => {
   expect(sayDelay(calibration)).toContain("240 ms behind");
   expect(sayDelay({ ...calibration, fit: [0.5, 1, 1, 1, 1, 1], delay: 0 })).toBe("");
-});
-
-it("reads a calibration of before pictures were counted", () => {
-  const { rate: _, ...before } = calibration;
-  const kept = readCalibration(JSON.stringify(before));
-  expect(kept).toMatchObject(before);
-  expect(adviseOnCalibration({ ...(kept as HandCalibration), fit: [0, 1, 1, 1, 1, 1] }, "", 1e12)).toContain("profile");
 });

@@ -2,8 +2,9 @@
 
 import { GUIDE_SECONDS, guideTargets, HAND_AXES, REST_SECONDS } from "./hand_guide";
 import type { FoundHand } from "./hand_messages";
+import { applyKernel, fitKernel, type KernelMap } from "./kernel_ridge";
 import { type Axes, handShape, palmOf, palmTurn, SHAPE_SIZE, squarePoints } from "./palm";
-import { applyRidge, correlation, type Ridge, RidgeFit } from "./ridge";
+import { applyRidge, correlation, RidgeFit } from "./ridge";
 
 /** A hand in one picture of the guided minute. time: seconds of the minute. */
 export interface HandSample {
@@ -18,7 +19,7 @@ export interface HandSample {
 
 /** What is kept. */
 export interface HandCalibration {
-  version: 1;
+  version: 2;
   /** When it was made, ms since 1970, and before which camera, by its label. */
   made: number;
   camera: string;
@@ -29,8 +30,8 @@ export interface HandCalibration {
   /** The palms at rest, as of a sample. */
   palms: [number[], number[]];
   /** From the shape and the turns of both palms to the axes. */
-  map: Ridge;
-  /** How well each axis was followed, a correlation. */
+  map: KernelMap;
+  /** How well each axis was followed, a correlation: what it is read as from the rest of the minute, with what was asked. */
   fit: number[];
   /** Pictures a second that were looked at in the minute. */
   rate: number;
@@ -38,8 +39,10 @@ export interface HandCalibration {
 
 /** Samples that a minute has at least: five a second. */
 export const FEWEST_SAMPLES = 250;
-/** Of the count of samples: added to the diagonal of the regression. */
+/** Of the count of samples: added to the diagonal of the regression by which the delay is found. */
 const SHRINK = 0.01;
+/** Seconds of the minute that are held out together. */
+const STRETCH = 3;
 /** Numbers that the map reads: the shape, and two turns. */
 const INPUT_SIZE = SHAPE_SIZE + 6;
 /** Seconds by which people follow what they see: looked for up to here, by this step. */
@@ -67,20 +70,12 @@ export function fitHand(samples: readonly HandSample[], rate: number, camera: st
   const middle = (set: 0 | 1): number[] => middlePalm(rests.map(({ palms }) => palms[set]));
   const palms: [number[], number[]] = [middle(0), middle(1)];
   const inputs = samples.map((sample) => mapInput(sample, palms));
-  const ridge = new RidgeFit(inputs, SHRINK);
-  const delay = findDelay(samples, inputs, ridge);
-  const wanted = targetsOf(samples, delay);
-  const map = ridge.solve(wanted);
-  const read = inputs.map((input) => applyRidge(map, input));
-  const fit = wanted.map((values, axis) =>
-    correlation(
-      values,
-      read.map((row) => row[axis] ?? 0),
-    ),
-  );
+  const delay = findDelay(samples, inputs);
+  const stretches = samples.map(({ time }) => Math.floor(time / STRETCH));
+  const { map, foretold } = fitKernel(inputs, stretches, targetsOf(samples, delay));
   const right = samples.filter(({ side }) => side === "right").length;
   return {
-    version: 1,
+    version: 2,
     made,
     camera,
     side: 2 * right > samples.length ? "right" : "left",
@@ -88,14 +83,14 @@ export function fitHand(samples: readonly HandSample[], rate: number, camera: st
     delay,
     palms,
     map,
-    fit,
+    fit: foretold,
     rate,
   };
 }
 
 /** What a hand does by a calibration, unfiltered: axes of `HAND_AXES`. */
 export function readHand(calibration: HandCalibration, sample: Pick<HandSample, "shape" | "palms">): number[] {
-  const values = applyRidge(calibration.map, mapInput(sample, calibration.palms));
+  const values = applyKernel(calibration.map, mapInput(sample, calibration.palms));
   return values.map((value, axis) => Math.min(1, Math.max(axis === 0 ? 0 : -1, value)));
 }
 
@@ -108,8 +103,9 @@ function mapInput({ shape, palms }: Pick<HandSample, "shape" | "palms">, rest: r
   return input;
 }
 
-/** The delay at which the moves asked for explain best what was seen. */
-function findDelay(samples: readonly HandSample[], inputs: readonly Float64Array[], ridge: RidgeFit): number {
+/** The delay at which the moves asked for explain best what was seen: straight, since a map that bends explains any. */
+function findDelay(samples: readonly HandSample[], inputs: readonly Float64Array[]): number {
+  const ridge = new RidgeFit(inputs, SHRINK);
   let [best, delay] = [Number.NEGATIVE_INFINITY, 0];
   for (let tried = 0; tried <= LONGEST_DELAY; tried += DELAY_STEP) {
     const [wanted = []] = targetsOf(samples, tried);
@@ -148,8 +144,8 @@ function middlePalm(palms: readonly Axes[]): number[] {
 export function readCalibration(text: string | null): HandCalibration | null {
   if (text === null) return null;
   try {
-    const kept: HandCalibration = { rate: FEW_PICTURES, ...JSON.parse(text) }; // of before they were counted
-    const { means, scales, offsets, weights } = kept.map;
+    const kept: HandCalibration = JSON.parse(text);
+    const { means, scales, supports, offsets, weights } = kept.map;
     const palms = kept.palms.flat();
     const numbers = [
       kept.made,
@@ -161,13 +157,16 @@ export function readCalibration(text: string | null): HandCalibration | null {
       ...means,
       ...scales,
       ...offsets,
+      ...supports.flat(),
+      ...weights.flat(),
     ];
     const whole =
-      kept.version === 1 &&
+      kept.version === 2 &&
       palms.length === 18 &&
       weights.length === HAND_AXES.length &&
-      weights.every((row) => row.length === INPUT_SIZE);
-    return whole && [...numbers, ...weights.flat()].every(Number.isFinite) ? kept : null;
+      [means, scales, ...supports].every((row) => row.length === INPUT_SIZE) &&
+      weights.every((row) => row.length === supports.length);
+    return whole && numbers.every(Number.isFinite) ? kept : null;
   } catch {
     return null;
   }

@@ -26,3 +26,26 @@ it("moves every axis both ways, without a jump, from rest to rest", () => {
     expect(range[axis]?.[0]).toBeCloseTo(axis === "opening" ? 0 : -0.85, axis === "opening" ? 5 : 0);
   }
 });
+
+it("has every two axes meet both ways, for two seconds each, no faster than a person follows", () => {
+  const step = 0.02;
+  const moments = Array.from({ length: GUIDE_SECONDS / step }, (_, place) => guideTargets(step * place));
+  const ways = moments.map(({ opening, ...rest }) => ({ ...rest, opening: 2 * opening - 1 }));
+  HAND_AXES.forEach((first, place) => {
+    for (const second of HAND_AXES.slice(place + 1)) {
+      for (const [a, b] of [
+        [1, 1],
+        [1, -1],
+        [-1, 1],
+        [-1, -1],
+      ] as const) {
+        const met = ways.filter((way) => a * way[first] > 0.3 && b * way[second] > 0.3).length * step;
+        expect([first, second, a, b, met > 2]).toEqual([first, second, a, b, true]);
+      }
+    }
+  });
+  for (const axis of HAND_AXES.slice(1)) {
+    const speeds = moments.slice(1).map((moment, at) => Math.abs(moment[axis] - (moments[at]?.[axis] ?? 0)) / step);
+    expect(Math.max(...speeds)).toBeLessThan(4);
+  }
+});

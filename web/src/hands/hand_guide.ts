@@ -22,11 +22,11 @@ const ADVICE: Record<string, string> = {
   rest: "Hand in profile, thumb against fingers, still",
   open: "Open and shut your hand with the drawn one",
   chatter: "Faster: chatter with it",
-  first: "Lift and bend the index and the middle finger, and open slowly",
-  last: "Lift and bend the little and the ring finger, and open slowly",
-  turn: "Turn the hand to the side and back, at the wrist",
-  nod: "Nod with the hand, up and down",
-  tilt: "Tilt the hand, as a head to its shoulder",
+  first: "Lift and bend the index and the middle finger, while the hand slowly opens and turns",
+  last: "Lift and bend the little and the ring finger, while the hand slowly opens and turns",
+  turn: "Turn the hand to the side and back, at the wrist; the fingers go on",
+  nod: "Nod with the hand, up and down; the fingers go on",
+  tilt: "Tilt the hand, as a head to its shoulder; the fingers go on",
   all: "All at once, as well as you can",
 };
 
