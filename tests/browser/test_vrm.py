@@ -98,7 +98,7 @@ def test_eyes_look_where_the_target_is(avatar: Page, yaw: float, pitch: float) -
 def test_folds_show_as_far_as_an_expression_presses_the_skin(avatar: Page) -> None:
     def shown(weights: Mapping[str, float]) -> dict[str, float]:
         worn(avatar, weights)
-        return avatar.evaluate("window.avatar.shown()")
+        return {name: float(part) for name, part in avatar.evaluate("window.avatar.shown()").items()}
 
     assert set(shown({}).values()) == {0.0}
     angry, half = shown({"angry": 1.0}), shown({"angry": 0.5})

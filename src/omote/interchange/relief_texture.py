@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
-from omote.arrays import Indices, Picture, Points
+from omote.arrays import Picture, Points
 from omote.geometry import mesh
 from omote.geometry.ramp import smooth_ramp
 from omote.geometry.strain import UP
@@ -57,7 +57,7 @@ def paint_relief(canvas: Canvas, look: Look, /) -> Picture:
     return encode_normals(_fine_slopes(canvas, look))
 
 
-def paint_folds(canvas: Canvas, look: Look, points: Points, uv: Values, triangles: Indices, /) -> Folds:
+def paint_folds(canvas: Canvas, look: Look, points: Points, uv: Values, triangles: NDArray[np.integer], /) -> Folds:
     """Paints the folds of a look as deep as expressions press them at most.
 
     canvas: of the cast; look: whose skin; points (n, 3), uv (n, 2), triangles (t, 3): the face, split as its
@@ -115,7 +115,7 @@ def _fine_slopes(canvas: Canvas, look: Look) -> Values:
     return fine
 
 
-def tangents_of(points: Points, normals: Points, uv: Values, triangles: Indices, /) -> Values:
+def tangents_of(points: Points, normals: Points, uv: Values, triangles: NDArray[np.integer], /) -> Values:
     """The tangents (n, 4) of a mesh as glTF has them: along the columns of its texture, and 1 where the cross product
     of normal and tangent goes up its rows, else -1.
 
@@ -127,7 +127,7 @@ def tangents_of(points: Points, normals: Points, uv: Values, triangles: Indices,
     return np.concatenate([along, np.where(up < 0.0, -1.0, 1.0)], axis=1)
 
 
-def _texture_ways(points: Points, uv: Values, triangles: Indices) -> tuple[Values, Values]:
+def _texture_ways(points: Points, uv: Values, triangles: NDArray[np.integer]) -> tuple[Values, Values]:
     """Which way the columns and the rows of a texture go on at each vertex, unit vectors (n, 3) each."""
     first, second = (points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))
     a, b = (uv[triangles[:, k]] - uv[triangles[:, 0]] for k in (1, 2))
@@ -140,9 +140,9 @@ def _texture_ways(points: Points, uv: Values, triangles: Indices) -> tuple[Value
     return _unit(totals[0]), _unit(totals[1])
 
 
-def _texture_frames(points: Points, uv: Values, triangles: Indices, size: int) -> Values:
+def _texture_frames(points: Points, uv: Values, triangles: NDArray[np.integer], size: int) -> Values:
     """How the columns and rows of the texture lie to what is level and upright on the skin (size, size, 2, 2)."""
-    normals = mesh.normals(points, triangles)
+    normals = mesh.normals(points, triangles.astype(np.int32))
     level = _unit(np.cross(UP, normals))
     upright = np.cross(normals, level)
     found = np.zeros((size, size, 2, 2), np.float32)

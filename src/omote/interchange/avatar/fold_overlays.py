@@ -127,8 +127,8 @@ def _surfaces(places: Points, skin: Shape, folds: Folds, nearest: Indices) -> tu
     folded[nearest] = True
     touched = skin.triangles[folded[skin.triangles].any(axis=1)]
     parts = _part_of(places[touched].mean(axis=1))
-    pictures = {"picture": png_bytes(folds.picture), "relief": png_bytes(folds.relief)}
-    material = replace(skin.material, cut=0.0, shown=0.0, **pictures)
+    picture, relief = png_bytes(folds.picture), png_bytes(folds.relief)
+    material = replace(skin.material, picture=picture, relief=relief, cut=0.0, shown=0.0)
     return tuple(
         _surface(skin, touched[parts == at], replace(material, name=f"{PREFIX}{name}"))
         for at, name in enumerate(PARTS)
