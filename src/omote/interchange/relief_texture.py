@@ -69,7 +69,8 @@ def paint_folds(canvas: Canvas, look: Look, points: Points, uv: Values, triangle
     along = _texture_frames(points, uv, triangles, len(canvas.hair))
     slopes = np.zeros((*canvas.hair.shape, 2), np.float32)
     groove = np.zeros_like(canvas.hair)
-    depths, ways = [], []
+    depths = list[Values]()
+    ways = list[Values]()
     for name in _LAYERS:
         layer = canvas.layers[name]
         rank = layer[..., 2] * RANKS

@@ -112,9 +112,9 @@ def build_overlays(
     _, nearest = cKDTree(skin.uv).query((texels[:, ::-1] + 0.5) / len(folds.picture), workers=1)
     rows = skin.rows[nearest]
     kept = folding[rows] > 0
-    texels, rows, nearest = texels[kept], rows[kept], nearest[kept]
-    down, right = texels.T
-    shapes = _surfaces(context.cast.space.points[skin.rows], skin, folds, nearest)
+    rows = rows[kept]
+    down, right = texels[kept].T
+    shapes = _surfaces(context.cast.space.points[skin.rows], skin, folds, nearest[kept])
     return Overlays(
         shapes, rest, poses, triangles, most, rows, _part_of(cast.space.points[rows]),
         folds.depth[:, down, right].T, folds.turn[:, down, right].transpose(1, 0, 2),
@@ -127,8 +127,8 @@ def _surfaces(places: Points, skin: Shape, folds: Folds, nearest: Indices) -> tu
     folded[nearest] = True
     touched = skin.triangles[folded[skin.triangles].any(axis=1)]
     parts = _part_of(places[touched].mean(axis=1))
-    picture, relief = png_bytes(folds.picture), png_bytes(folds.relief)
-    material = replace(skin.material, picture=picture, relief=relief, cut=0.0, shown=0.0)
+    picture = png_bytes(folds.picture)
+    material = replace(skin.material, picture=picture, relief=png_bytes(folds.relief), cut=0.0, shown=0.0)
     return tuple(
         _surface(skin, touched[parts == at], replace(material, name=f"{PREFIX}{name}"))
         for at, name in enumerate(PARTS)

@@ -63,7 +63,8 @@ def squares_around_eyes(space: ParameterSpace, skin: ScanSurface, head: Values, 
     """
     middles = [head[line.loop].mean(axis=0) for line in space.lines if line.kind == "lids"]
     near = np.unique(np.concatenate(skin.tree.query_ball_point(middles, AROUND_EYE)).astype(np.intp))
-    points, normals = skin.points[near], skin.normals[near]
+    points = skin.points[near]
+    normals = skin.normals[near]
     along = np.cross(normals, np.where(np.abs(normals[:, 1:2]) < 0.9, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]))
     along *= skin.spacing / np.maximum(np.linalg.norm(along, axis=1), 1e-12)[:, None]
     across = np.cross(normals, along)
