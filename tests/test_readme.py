@@ -106,7 +106,7 @@ def crew(tmp_path_factory: pytest.TempPathFactory) -> Path:
     made = make_document(cast.space, "Crooked smile", (), cast.expressions["cheeky"])
     (folder / "made.json").write_bytes(encode(made))
     (folder / "scans").mkdir()
-    for name, path in (("old", "ann.ply"), ("gaunt", "scans/bo.ply")):
+    for name, path in (("old", "ann.ply"), ("man", "scans/bo.ply")):
         (folder / path).write_text(as_ply(1000.0 * cast.faces[name].positions, cast.space.triangles))
     for words in (
         ["file", "import", "my.omote", "made.json"],

@@ -37,7 +37,7 @@ from omote.model.space.complexion import OF_REGION, REGIONS, SPOTS
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
-from omote.perform.complexion import HIGHEST, LOWEST, SKIN_FADERS, SKIN_LIMIT
+from omote.perform.complexion import RANGES, SKIN_FADERS, SKIN_LIMIT
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
@@ -202,7 +202,10 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     ),
     "LID_UNITS": ("Units whose pressing of the skin counts as rest.", LIDS),
     "FOLDING_MOST": ("What 255 of the folding of a vertex stands for.", RANGE[1]),
-    "COMPLEXION_RANGE": ("What blood is held in where several expressions bring it.", (LOWEST, HIGHEST)),
+    "COMPLEXION_RANGES": (
+        "What each part of a complexion is held in where several expressions bring it.",
+        dict(zip(REGIONS, RANGES, strict=True)),
+    ),
     "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
     "SPEECH": ("The source of what a character says, which ends by itself.", SPEECH),
     "LIPS_INFLUENCE": (

@@ -13,6 +13,7 @@ from playwright.sync_api import Browser, Page, Route
 
 from omote.builtin import load_cast
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
+from omote.interchange.avatar.fold_overlays import PREFIX
 from omote.interchange.avatar.preset_expressions import EMOTIONS
 from omote.interchange.export_face import close_over_teeth, compound_meshes
 from omote.interchange.formats.glb_writer import NO_ROW
@@ -27,6 +28,8 @@ Turn = NDArray[np.float64]
 HERE = Path(__file__).resolve().parent
 PACKAGES = HERE.parents[1] / "web" / "node_modules"
 ADDRESS = "http://avatar.test"
+NOT_OURS = ("hair", "collar", PREFIX)
+"""What the names of meshes begin with that are no rows of the cast."""
 NEAR = 5e-5
 """Metres that a vertex may be from where ours is."""
 PERFECT_SYNC = {name[0].upper() + name[1:]: {name: 1.0} for name in ARKIT_NAMES}
@@ -59,12 +62,12 @@ def numbers(text: str) -> Points:
 
 
 def worn(page: Page, weights: Mapping[str, float], at: list[float] | None = None) -> dict[str, Points]:
-    """Where three-vrm has the vertices of each mesh but hair and collar: (n, 3) metres.
+    """Where three-vrm has the vertices of each mesh but hair, collar and folds: (n, 3) metres.
 
     at: what is looked at, from the eyes.
     """
     page.evaluate("([weights, at]) => window.avatar.wear(weights, at)", [dict(weights), at])
-    names = [name for name in page.evaluate("window.avatar.found.meshes") if name not in ("hair", "collar")]
+    names = [name for name in page.evaluate("window.avatar.found.meshes") if not name.startswith(NOT_OURS)]
     found = page.evaluate("names => names.map((name) => window.avatar.points(name))", names)
     return {name: numbers(text).reshape(-1, 3) for name, text in zip(names, found, strict=True)}
 

@@ -1,4 +1,4 @@
-"""Skin that answers on stage: strains as Python finds them; folds, blood and tears where they belong, nowhere else."""
+"""Skin that answers on stage: strains as Python finds them; folds, blood and water where they belong, nowhere else."""
 
 from __future__ import annotations
 
@@ -98,8 +98,8 @@ def test_a_mix_of_faces_is_rest_and_blinks_and_looks_press_nothing(stage: Callab
 def test_blood_reddens_what_is_meant_and_a_mask_stays_white(stage: Callable[[str], Page], level: str) -> None:
     page = stage(level)
     for face, reddens in (("kaori", True), ("noh", False)):
-        rest = seen(page, faces={face: 1.0}, complexion=[0.0] * 7)
-        flushed = seen(page, faces={face: 1.0}, complexion=[0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0])
+        rest = seen(page, faces={face: 1.0}, complexion=[])
+        flushed = seen(page, faces={face: 1.0}, complexion=[0.0, 0.0, 1.0])
         change = flushed - rest
         forehead, chin = change[100:125, 140:180], change[255:270, 150:170]
         if reddens:
@@ -115,7 +115,7 @@ def test_folds_are_deeper_with_age_and_go_with_their_fader(stage: Callable[[str]
 
     def folded(face: str, folds: float) -> float:
         """How much folds change between the brows, of 255."""
-        pose = {"faces": {face: 1.0}, "expressions": {"angry": 1.0}, "complexion": [0.0] * 7}
+        pose = {"faces": {face: 1.0}, "expressions": {"angry": 1.0}, "complexion": []}
         change = seen(page, **pose, folds=folds) - seen(page, **pose, folds=0.0)
         return float(np.abs(change[120:165, 140:180]).mean())
 
@@ -130,14 +130,35 @@ def test_neutral_is_as_without_any_of_it(stage: Callable[[str], Page]) -> None:
     page = stage("medium")
     for face in ("kaori", "old", "dog"):
         rest = seen(page, faces={face: 1.0})
-        assert np.array_equal(rest, seen(page, faces={face: 1.0}, folds=0.0, complexion=[0.0] * 7))
+        assert np.array_equal(rest, seen(page, faces={face: 1.0}, folds=0.0, complexion=[]))
+
+
+@pytest.mark.parametrize("level", ["low", "medium", "good"])
+def test_sweat_shines_beads_and_runs_on_skin_alone(stage: Callable[[str], Page], level: str) -> None:
+    page = stage(level)
+
+    def change(face: str, sweat: float, drops: float, before: float = 0.0) -> Floats:
+        dry = seen(page, faces={face: 1.0}, complexion=[0.0] * 6 + [before])
+        return np.abs(seen(page, faces={face: 1.0}, complexion=[0.0] * 6 + [sweat, drops]) - dry)
+
+    for face in ("noh", "dog", "cat"):
+        assert change(face, 1.0, 0.02).max() == 0.0
+    if level == "low":
+        assert change("man", 1.0, 0.02).max() == 0.0
+        return
+    film, beads, ran = change("man", 0.2, 0.0), change("man", 1.0, 0.0), change("man", 1.0, 0.02, before=1.0)
+    forehead = (slice(85, 125), slice(130, 190))
+    assert 0.5 < film[forehead].mean() < beads[forehead].mean()
+    assert beads[:, 60:260].max() > 25.0
+    assert ran.max() > 12.0  # the same beads, but those that run
+    assert (ran > 0.0).mean() < 0.3 * (beads > 0.0).mean()
 
 
 def test_tears_run_and_dry_eyes_have_none(stage: Callable[[str], Page]) -> None:
     page = stage("medium")
 
     def weeping(tears: float, drops: float) -> Floats:
-        return seen(page, faces={"man": 1.0}, complexion=[0.0, 0.0, 0.0, 0.0, 0.0, tears, drops])
+        return seen(page, faces={"man": 1.0}, complexion=[0.0, 0.0, 0.0, 0.0, 0.0, tears, 0.0, drops])
 
     dry, wet, later = weeping(0.0, 0.0), weeping(1.0, 0.0), weeping(1.0, 0.01)
     assert np.abs(wet - dry)[190:260].max() > 8.0

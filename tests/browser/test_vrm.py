@@ -95,6 +95,18 @@ def test_eyes_look_where_the_target_is(avatar: Page, yaw: float, pitch: float) -
         assert raised == pytest.approx(pitch, abs=0.5)
 
 
+def test_folds_show_as_far_as_an_expression_presses_the_skin(avatar: Page) -> None:
+    def shown(weights: Mapping[str, float]) -> dict[str, float]:
+        worn(avatar, weights)
+        return {name: float(part) for name, part in avatar.evaluate("window.avatar.shown()").items()}
+
+    assert set(shown({}).values()) == {0.0}
+    angry, half = shown({"angry": 1.0}), shown({"angry": 0.5})
+    assert max(angry.values()) > 0.3
+    assert half == {name: pytest.approx(0.5 * part) for name, part in angry.items()}
+    assert set(shown({"blink": 1.0}).values()) == {0.0}
+
+
 def test_the_skeleton_stands_on_its_feet_and_carries_the_head(avatar: Page) -> None:
     bones = {
         name: avatar.evaluate("name => window.avatar.bone(name)", name)

@@ -1,4 +1,4 @@
-"""What expressions bring of blood and tears, faders of the skin, and skins that no show wrote."""
+"""What expressions bring of blood and water, faders of the skin, and skins that no show wrote."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ from omote.builtin import load_cast
 from omote.model.space.complexion import PALE, Complexion
 from omote.perform.complexion import (
     AS_IT_IS,
-    HIGHEST,
-    LOWEST,
+    RANGES,
     SKIN_FADERS,
     Skin,
     advance_skin,
@@ -25,7 +24,7 @@ from omote.perform.complexion import (
 )
 from omote.perform.frame import Frame
 
-CRYING = Complexion(0.5, 1.0, 0.0, 1.0, 0.0, 1.0)
+CRYING = Complexion(0.5, 1.0, 0.0, 1.0, 0.0, 1.0, 0.5)
 STILL = Frame({"generic": 1.0}, {"neutral": 1.0})
 
 
@@ -48,7 +47,7 @@ def test_each_number_stays_between_where_it_was_and_its_goal() -> None:
 
 
 def test_a_panic_leaves_nothing_even_where_an_expression_is_called_meanwhile() -> None:
-    skin = calm_skin(advance_skin(AS_IT_IS, CRYING, 30.0))
+    skin = calm_skin(advance_skin(AS_IT_IS, CRYING, 90.0))
     assert skin is not None
     assert with_skin(STILL, skin).complexion == CRYING
     skin = advance_skin(skin, CRYING, 0.2)
@@ -61,7 +60,7 @@ def test_a_panic_leaves_nothing_even_where_an_expression_is_called_meanwhile() -
 @pytest.mark.parametrize(
     "wrong",
     [
-        Skin({"sweat": 1.0}),  # type: ignore[dict-item]
+        Skin({"pores": 1.0}),  # type: ignore[dict-item]
         Skin({"folds": 2.0}),
         Skin(second=Complexion(cheeks=float("nan"))),
         Skin(left=Complexion(tears=99.0)),
@@ -71,7 +70,7 @@ def test_a_panic_leaves_nothing_even_where_an_expression_is_called_meanwhile() -
     ],
 )
 def test_a_skin_that_no_show_wrote_is_refused(wrong: Skin) -> None:
-    with pytest.raises(ValueError, match=r"skin|complexion|tears"):
+    with pytest.raises(ValueError, match=r"skin|complexion|sweat"):
         check_skin(wrong)
 
 
@@ -94,15 +93,15 @@ def test_a_region_brings_what_is_in_it() -> None:
 
 def test_channels_bring_theirs_and_the_sum_is_held() -> None:
     cast = load_cast()
-    frame = Frame({"generic": 1.0}, {"shout": 1.0}, channels={"angry": 1.5, "cry": 1.5, "fear": -0.5})
+    frame = Frame({"generic": 1.0}, {"shout": 1.0}, channels={"angry": 1.5, "cry": 1.5, "fear": -0.6})
     shown = complexion_of(cast.expressions, frame)
-    assert shown.cheeks == HIGHEST
-    assert shown.tears == 1.0
+    low, high = (Complexion(*(ends[at] for ends in RANGES)) for at in (0, 1))
+    assert (shown.cheeks, shown.tears, shown.sweat) == (high.cheeks, high.tears, low.sweat) == (1.4, 1.0, 0.0)
     pale = Frame({"generic": 1.0}, {"fear": 1.0}, channels={"fear": 1.5, "disgust": 1.5})
-    assert complexion_of(cast.expressions, pale).whole == LOWEST
+    assert complexion_of(cast.expressions, pale).whole == low.whole
 
 
-@pytest.mark.parametrize("name", ["sweat", "", None])
+@pytest.mark.parametrize("name", ["sweat", "tears", "", None])
 def test_a_fader_that_there_is_not_is_refused(name: object) -> None:
     with pytest.raises(ValueError, match="there is no fader of the skin"):
         set_skin(None, name, 1.0)

@@ -1,4 +1,4 @@
-"""Blood and tears on air: they follow expressions in seconds, go with a panic, and play again to the bit."""
+"""Blood, tears and sweat on air: they follow expressions in seconds, go with a panic, and play again to the bit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.builtin import load_cast
-from omote.model.space.complexion import PALE, PARTS, Complexion
+from omote.model.space.complexion import PALE, Complexion
 from omote.perform.complexion import FALLS, RISES
 from omote.perform.frame import Frame
 from omote.perform.performer import Performer
@@ -110,4 +110,17 @@ def test_own_expressions_have_theirs() -> None:
     performer = Performer(cast.with_expressions(blush=blush))
     performer.call_expression("blush", seconds=0)
     assert played(performer, 20.0).complexion == Complexion(cheeks=1.0)
-    assert len(PARTS) == 6
+
+
+def test_sweat_breaks_out_in_half_a_minute_and_dries_in_a_minute() -> None:
+    performer = Performer(load_cast())
+    performer.call_expression("fear", seconds=0)
+    goal = load_cast().expressions["fear"].complexion.sweat
+    assert played(performer, 3.0).complexion.sweat < 0.2 * goal
+    risen = played(performer, RISES.sweat - 3.0)
+    assert risen.complexion.sweat == pytest.approx(0.9 * goal, rel=0.03)
+    assert played(performer, 5.0).drops > risen.drops > 0.0
+    performer.call_expression("neutral", seconds=0)
+    assert played(performer, FALLS.whole).complexion.sweat > 0.8 * goal  # longer than the pallor
+    assert played(performer, FALLS.sweat - FALLS.whole).complexion.sweat == pytest.approx(0.1 * goal, abs=0.02)
+    assert performer.advance(200.0).complexion == PALE

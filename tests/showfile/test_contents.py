@@ -62,7 +62,7 @@ def expressions(draw: st.DrawFn) -> Expression:
         pupil=draw(numbers),
         ears=draw(arrays(np.float64, (2, 3), elements=numbers)),
         head=draw(arrays(np.float64, 3, elements=numbers)),
-        complexion=draw(st.one_of(st.just(PALE), st.tuples(*[st.floats(-2.0, 2.0)] * 6))),
+        complexion=draw(st.one_of(st.just(PALE), st.tuples(*[st.floats(-2.0, 2.0)] * len(PALE)))),
     )
 
 

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.space.complexion import ComplexionNumbers
+
 ARKIT: Sequence[str] = (
     "browDownLeft", "browDownRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight",
     "cheekPuff", "cheekSquintLeft", "cheekSquintRight",
@@ -109,15 +111,15 @@ PUPILS: Mapping[str, float] = {
     "pout": -0.1, "cheeky": 0.2,
 }  # fmt: skip
 
-# Blood of cheeks, nose, forehead, around the eyes and of the whole face, and tears (omote.model.space.complexion).
-# Signs from the literature: people flush in anger and pale in fear (Drummond 1997), cheeks fill with pleasure; the
-# sizes are ours.
-COMPLEXIONS: Mapping[str, tuple[float, float, float, float, float, float]] = {
-    "angry": (0.45, 0.2, 0.55, 0.1, 0.15, 0.0), "shout": (0.8, 0.3, 0.8, 0.2, 0.4, 0.0),
-    "cry": (0.5, 0.95, 0.15, 1.0, 0.12, 1.0), "sad": (0.0, 0.45, 0.0, 0.75, -0.12, 0.3),
-    "joy": (0.28, 0.1, 0.0, 0.0, 0.05, 0.0), "laugh": (0.55, 0.2, 0.25, 0.15, 0.15, 0.2),
-    "fear": (-0.35, -0.1, -0.2, 0.0, -0.45, 0.0), "surprise": (-0.05, 0.0, 0.0, 0.0, -0.1, 0.0),
-    "disgust": (-0.2, 0.2, -0.1, 0.1, -0.12, 0.0), "pain": (0.4, 0.25, 0.4, 0.4, 0.25, 0.4),
+# Blood of cheeks, nose, forehead, around the eyes and of the whole face, tears and sweat
+# (omote.model.space.complexion). Signs from the literature: people flush in anger and pale in fear (Drummond 1997),
+# cheeks fill with pleasure; the sizes are ours.
+COMPLEXIONS: Mapping[str, ComplexionNumbers] = {
+    "angry": (0.45, 0.2, 0.55, 0.1, 0.15, 0.0, 0.0), "shout": (0.8, 0.3, 0.8, 0.2, 0.4, 0.0, 0.35),
+    "cry": (0.5, 0.95, 0.15, 1.0, 0.12, 1.0, 0.0), "sad": (-0.1, 0.65, 0.05, 1.0, -0.3, 0.3, 0.0),
+    "joy": (0.28, 0.1, 0.0, 0.0, 0.05, 0.0, 0.0), "laugh": (0.55, 0.2, 0.25, 0.15, 0.15, 0.2, 0.0),
+    "fear": (-0.35, -0.1, -0.2, 0.0, -0.45, 0.0, 0.75), "surprise": (-0.05, 0.0, 0.0, 0.0, -0.1, 0.0, 0.0),
+    "disgust": (-0.2, 0.2, -0.1, 0.1, -0.12, 0.0, 0.0), "pain": (0.4, 0.25, 0.4, 0.4, 0.25, 0.4, 0.85),
 }  # fmt: skip
 
 # They move the pupils, or ears (of a face that answers with its ears), and nothing else; by what they do to the pupils.

@@ -12,7 +12,7 @@ Arrays, V vertices of the skin, n of a part, E expressions:
     dtheta, dh, swell (E, V)                         fields on S, radians, metres and R - 1
     residual (E, i, 3)  of the inner skin            rest/PART (E, n, 3)  eyes (E, 2, 2)  pupil (E,)
     ears (E, 2, 3)      radians, head (E, 3) radians: what ears and heads do that answer
-    complexion (E, 6)   blood and tears: omote.model.space.complexion
+    complexion (E, 7)   blood, tears and sweat: omote.model.space.complexion
     folding (V,)        of 255, how far expressions press the skin together (omote.model.folding); 0 where none folds
     hair/STYLE/WHAT     of a HairStyle: points, rows, weights, anchors, facing, light, fullness, width,
                         scalp
@@ -41,7 +41,7 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain
 from omote.model.space.parameter_space import ParameterSpace
 
-FORMAT = 5
+FORMAT = 6
 SKIN = "skin"
 Arrays = Mapping[str, NDArray[Any]]
 

@@ -19,6 +19,7 @@ from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTar
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.interchange.name_choices import choose_expressions as choose_expressions
 from omote.interchange.part_textures import paint_strands
+from omote.interchange.relief_texture import paint_relief, tangents_of
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
 from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle, place_strands
@@ -236,14 +237,20 @@ def _shape(
     eye = part.name != SKIN and bool(space.parts[part.name].eye)
     place = fitted.centres[part.name].astype(np.float32).astype(np.float64) if eye else np.zeros(3)
     own = space.welded if part.name == SKIN else np.arange(len(points))
+    uv = _uv(context, part)
+    material = surfaces[part.name]
+    bumpy = material.relief is not None
     return Shape(
         name=part.name,
         points=(points - place)[rows].astype(np.float32),
         normals=upright[own][rows].astype(np.float32),
-        uv=_uv(context, part),
+        uv=uv,
+        tangents=tangents_of(points[rows], upright[own][rows], uv, part.triangles).astype(np.float32)
+        if bumpy
+        else None,
         rows=rows,
         triangles=part.triangles,
-        material=surfaces[part.name],
+        material=material,
         targets={name: MorphTarget(target.moves[rows], target.turns[own][rows]) for name, target in targets.items()},
         place=(float(place[0]), float(place[1]), float(place[2])),
     )
@@ -294,15 +301,23 @@ def _materials(context: ExportContext, look: Look, mouth: DrawnMouth) -> dict[st
     lashes = _lashes(look)
     eye = _textured_material("eye", part_textures.paint_eye(look), roughness=0.15)
     return {
-        SKIN: _textured_material(
-            "skin", paint_skin(context.canvas, look), roughness=0.62 - 0.3 * look.lacquer + 0.3 * look.fur
-        ),
+        SKIN: skin_material(context, look),
         "eye_left": eye,
         "eye_right": eye,
         **{name: jaw if name in mouth.parts else _teeth(name, look) for name in GUMS},
         TONGUE: replace(_textured_material(TONGUE, part_textures.paint_tongue(), roughness=0.35), both=True),
         LASHES: replace(_textured_material(LASHES, lashes, roughness=0.8), both=True, cut=0.0),
     }
+
+
+def skin_material(context: ExportContext, look: Look, /) -> Material:
+    """The skin of a look, with the relief of its pores and lines of age.
+
+    context: for the skin's layers; look: whose skin.
+    """
+    roughness = 0.62 - 0.3 * look.lacquer + 0.3 * look.fur
+    painted = _textured_material(SKIN, paint_skin(context.canvas, look), roughness=roughness)
+    return replace(painted, relief=png_bytes(paint_relief(context.canvas, look)))
 
 
 def _lashes(look: Look) -> Picture:

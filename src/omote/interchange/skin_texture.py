@@ -105,7 +105,7 @@ def _albedo(at: Canvas, look: Look) -> Values:
     marks = at.layers["marks"]
     patches = at.layers["patches"]
     skin, lip, brow, hair = (decode_srgb(colour) for colour in (look.skin, look.lip, look.brow, look.hair))
-    lips, lining = _lips(at, look)
+    lips, lining = lips_of(at, look)
     fur = look.fur * (1.0 - lips)
     seen = _mix(
         _paint_bare_skin(at, look, skin, lip, brow), lip * _grey(0.86 + 0.28 * at.layers["finish"][..., 3]), lips * 0.9
@@ -114,7 +114,7 @@ def _albedo(at: Canvas, look: Look) -> Values:
     hairs = clamp_unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
     seen = _mix(seen, brow, hairs * 0.92)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
-    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _grown(at) * look.scalp)
+    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), grown_of(at) * look.scalp)
     seen = _mix(seen, np.array(LINING, np.float32), lining)
     left = mask[..., 3]
     shaded: Values = seen * _grey(left * (0.7 + 0.3 * left))
@@ -129,21 +129,27 @@ def _pictured(at: Canvas, look: Look, painted: Values, times: int) -> Values:
     mask, marks, patches = (at.layers[name] for name in ("mask", "marks", "patches"))
     seen = _mix(decode_light(texels[..., :3]), brow * 0.6 + lip * 0.18, patches[..., 2] * look.makeup * 0.85)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
-    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _grown(at) * look.scalp)
+    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), grown_of(at) * look.scalp)
     left = mask[..., 3]
     seen = seen * _grey(1.0 + (left * (0.7 + 0.3 * left) - 1.0) * 0.5)
-    _, lining = _lips(at, look)
+    _, lining = lips_of(at, look)
     return _mix(painted, seen, texels[..., 3].astype(np.float32) / np.float32(255.0) * (1.0 - lining))
 
 
-def _grown(at: Canvas) -> Values:
-    """How much of each texel hair of the scalp covers."""
+def grown_of(at: Canvas, /) -> Values:
+    """How much of each texel hair of the scalp covers, (k, k) 0..1.
+
+    at: the canvas of the cast.
+    """
     marks = at.layers["marks"]
     return smooth_ramp(0.15, 0.9, at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair))
 
 
-def _lips(at: Canvas, look: Look) -> tuple[Values, Values]:
-    """How much of a texel is lip, and how much the mouth's lining."""
+def lips_of(at: Canvas, look: Look, /) -> tuple[Values, Values]:
+    """How much of each texel is lip, and how much the mouth's lining, (k, k) 0..1 each.
+
+    at: the canvas of the cast; look: whose lips.
+    """
     red = at.layers["mask"][..., 0]
     left = at.layers["mask"][..., 3]
     narrow = 0.3 * look.age

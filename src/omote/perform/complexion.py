@@ -1,4 +1,4 @@
-"""Blood and tears of a character: what its expressions bring of them, followed as skin follows it, in seconds."""
+"""Blood, tears and sweat of a character: what its expressions bring, followed as skin follows it, in seconds."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from omote.model.space.complexion import MOST, PALE, PARTS, REGIONS, Complexion
+from omote.model.space.complexion import MOST, PALE, PARTS, REGIONS, WATER, Complexion
 from omote.model.space.expression import Expression
 from omote.perform.easing import find_easing, is_over
 from omote.perform.frame import Frame, with_fields
@@ -17,31 +17,30 @@ from omote.perform.panic import PANIC_EASING, PANIC_SECONDS
 
 SkinFader = Literal["folds", "blood"]
 SKIN_FADERS: tuple[SkinFader, ...] = get_args(SkinFader)
-"""How much of the skin's folds shows, and of the blood that expressions bring; tears have none."""
+"""How much of the skin's folds shows, and of the blood that expressions bring; water has none."""
 SKIN_LIMIT = 1.5
 FADER_SECONDS = 0.5
 """In which a fader of the skin that is set is followed."""
-RISES: Complexion = Complexion(2.5, 2.5, 2.5, 2.5, 2.0, 5.0)
-FALLS: Complexion = Complexion(6.0, 6.0, 6.0, 8.0, 5.0, 12.0)
-"""Seconds in which blood goes nine tenths of its way into the skin, or out of it, and tears well up and dry. A blush is
-at its height after some 15 s in people (Drummond 1997); a stage has less time."""
+RISES: Complexion = Complexion(2.5, 2.5, 2.5, 2.5, 2.0, 5.0, 18.0)
+FALLS: Complexion = Complexion(6.0, 6.0, 6.0, 8.0, 5.0, 12.0, 45.0)
+"""Seconds in which blood goes nine tenths of its way into the skin, or out of it, and tears and sweat well up and dry.
+A blush is at its height after some 15 s in people (Drummond 1997); a stage has less time."""
 _RATES = tuple(zip(map(rate_of, RISES), map(rate_of, FALLS), strict=True))
 _FADER_RATE = rate_of(FADER_SECONDS)
-DROP_SPEED = 0.009
-"""Metres a second that drops run where tears are as many as there can be."""
+DROP_SPEEDS = (0.009, 0.004)
+"""Metres a second that drops of tears and of sweat run where there are as many as there can be."""
 _NEAR = 1e-4
-_LONGEST_GAP = 60.0
+_LONGEST_GAP = 150.0
 """Seconds after which all is where it goes."""
-HIGHEST = 1.4
-LOWEST = -0.8
-"""What the sum of all that shows is held in."""
+RANGES = tuple((0.0, 1.0) if part in WATER else (-0.8, 1.4) for part in PARTS)
+"""What the sum of all that shows is held in, by part: skin has no more blood and no less, and water covers it."""
 
 
 @dataclass(frozen=True)
 class Skin:
     """The skin of a character. faders: as set, of those that are not 1; first, second: the complexion after the first
-    and after both filters that follow it; folds: the fader, followed alike; drops: the metres that tears have run since
-    they began; left: what a panic found, which is on its way out; released: seconds since, None where none did."""
+    and after both filters that follow it; folds: the fader, followed alike; drops: the metres that water has run since
+    it began; left: what a panic found, which is on its way out; released: seconds since, None where none did."""
 
     faders: Mapping[SkinFader, float] = field(default_factory=dict)
     first: Complexion = PALE
@@ -76,7 +75,7 @@ def fader_at(skin: Skin | None, name: SkinFader) -> float:
 
 
 def calm_skin(skin: Skin | None) -> Skin | None:
-    """The skin from a panic on: what shows of blood and tears is gone in its time. skin: None as it is at first."""
+    """The skin from a panic on: what shows of blood and water is gone in its time. skin: None as it is at first."""
     if skin is None:
         return None
     return replace(skin, first=PALE, second=PALE, left=_shown(skin), released=0.0)
@@ -91,7 +90,7 @@ def _shown(skin: Skin) -> Complexion:
 
 
 def complexion_of(expressions: Mapping[str, Expression], frame: Frame) -> Complexion:
-    """What the expressions on air bring of blood and tears, by their weights; channels are expressions too.
+    """What the expressions on air bring of blood and water, by their weights; channels are expressions too.
 
     expressions: those of the cast, by name; frame: its mixes and channels.
     """
@@ -115,10 +114,10 @@ def _brought(expressions: Mapping[str, Expression], weights: Mapping[str, float]
 def _add(one: Complexion, other: Complexion, weight: float = 1.0) -> Complexion:
     if other is PALE:
         return one
-    a, b, c, d, e, f = one
-    u, v, w, x, y, z = other
+    a, b, c, d, e, f, g = one
+    t, u, v, w, x, y, z = other
     return Complexion(
-        a + weight * u, b + weight * v, c + weight * w, d + weight * x, e + weight * y, f + weight * z
+        a + weight * t, b + weight * u, c + weight * v, d + weight * w, e + weight * x, f + weight * y, g + weight * z
     )  # fmt: skip
 
 
@@ -126,15 +125,13 @@ def _held(sum_of_all: Complexion) -> Complexion:
     """A complexion within what skin can do."""
     if sum_of_all is PALE:
         return PALE
-    *blood, tears = sum_of_all
-    held = Complexion(*[min(max(value, LOWEST), HIGHEST) for value in blood])
-    return held._replace(tears=min(max(tears, 0.0), 1.0))
+    return Complexion(*[min(max(value, low), high) for value, (low, high) in zip(sum_of_all, RANGES, strict=True)])
 
 
 def advance_skin(skin: Skin, goal: Complexion, dt: float) -> Skin:
     """The skin `dt` seconds later.
 
-    Blood comes faster than it goes, and so do tears: each number goes by its own two times, by whether its goal is
+    Blood comes faster than it goes, and so does water: each number goes by its own two times, by whether its goal is
     farther from rest than it is. The same steps give the same bits.
 
     skin: as it is; goal: what the expressions bring; dt: seconds, above 0.
@@ -142,11 +139,10 @@ def advance_skin(skin: Skin, goal: Complexion, dt: float) -> Skin:
     if skin.released is not None:
         return _calmed(skin, skin.released + dt)
     blood = skin.faders.get("blood", 1.0)
-    *flush, tears = goal
-    goals = (*(blood * value for value in flush), tears)
+    goals = tuple(value if part in WATER else blood * value for part, value in zip(PARTS, goal, strict=True))
     wanted = skin.faders.get("folds", 1.0)
     if skin.second == goals and skin.first == goals and skin.folds == (wanted, wanted):
-        return with_fields(skin, drops=_run(skin, skin.second, dt)) if tears else skin
+        return with_fields(skin, drops=_run(skin, skin.second, dt)) if any(_water_of(goal)) else skin
     if dt >= _LONGEST_GAP:
         there = Complexion(*goals)
         return with_fields(skin, first=there, second=there, folds=(wanted, wanted), drops=_run(skin, there, dt))
@@ -170,8 +166,13 @@ def _calmed(skin: Skin, released: float) -> Skin:
 
 
 def _run(skin: Skin, shown: Complexion, dt: float) -> float:
-    """How far tears have run, metres: each begins where it wells up, so that drops of dry eyes are forgotten."""
-    return skin.drops + shown.tears * DROP_SPEED * dt if shown.tears else 0.0
+    """How far water has run, metres: each drop begins where it wells up, so that those of dry skin are forgotten."""
+    speed = max(amount * most for amount, most in zip(_water_of(shown), DROP_SPEEDS, strict=True))
+    return skin.drops + speed * dt if speed else 0.0
+
+
+def _water_of(complexion: Complexion) -> tuple[float, float]:
+    return complexion.tears, complexion.sweat
 
 
 def _followed(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:
@@ -192,7 +193,7 @@ def is_at_rest(skin: Skin) -> bool:
 
 
 def with_skin(frame: Frame, skin: Skin) -> Frame:
-    """A frame with what shows of blood, tears and folds. frame: all else; skin: as it is now."""
+    """A frame with what shows of blood, water and folds. frame: all else; skin: as it is now."""
     return with_fields(
         frame, complexion=_shown(skin), drops=skin.drops, folds=skin.folds[1], skin=skin.faders or _NO_FADERS
     )
@@ -211,7 +212,7 @@ def check_skin(skin: Skin | None) -> Skin | None:
             check_within(value, -most, most, f"{part} of a complexion")
     if skin.released is not None:
         check_within(skin.released, 0.0, PANIC_SECONDS, "the time since a panic calmed the skin (seconds)")
-    check_within(skin.drops, 0.0, FOREVER, "how far tears have run (metres)")
+    check_within(skin.drops, 0.0, FOREVER, "how far tears and sweat have run (metres)")
     for amount in skin.folds:
         check_within(amount, 0.0, SKIN_LIMIT, "the amount of a fader of the skin")
     return skin

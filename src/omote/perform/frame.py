@@ -320,9 +320,9 @@ class Frame:
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
     nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last. `macros`:
     all that the character has. `pads`: those whose points have been moved since the last panic. `springs`: how much of
-    each is set, of those that are not 1. `complexion`: blood and tears as they show now; `drops`: the
-    metres that tears have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those that
-    are not 1.
+    each is set, of those that are not 1. `complexion`: blood, tears and sweat as they show now; `drops`:
+    the metres that these two have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those
+    that are not 1.
     """
 
     faces: Mapping[str, float]

@@ -1,4 +1,4 @@
-"""The part of a performer that has skin: blood and tears that follow its expressions in seconds, above all layers."""
+"""The part of a performer that has skin: blood, tears and sweat that follow its expressions, above all layers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from omote.perform.spring_playing import SpringPlaying
 
 
 class SkinPlaying(SpringPlaying):
-    """Plays blood and tears by what is on air."""
+    """Plays blood, tears and sweat by what is on air."""
 
     def set_skin(self, name: str, amount: float) -> None:
         """Sets how much of the skin's folds, or of its blood, shows; what is on air follows, folds in half a second.
@@ -37,12 +37,12 @@ class SkinPlaying(SpringPlaying):
 
         References
         ----------
-        docs/method.md, "Blood and tears".
+        docs/method.md, "Blood, tears and sweat".
         """
         self._play(skin=set_skin(self._now.skin, name, amount))
 
     def _with_skin(self, frame: Frame, dt: float) -> Frame:
-        """A frame with blood and tears, which go on by `dt` seconds. frame: all else that shows now."""
+        """A frame with blood, tears and sweat, which go on by `dt` seconds. frame: all else that shows now."""
         skin = self._now.skin
         goal = complexion_of(self._cast.expressions, frame)
         if skin is None:

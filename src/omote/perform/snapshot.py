@@ -78,8 +78,8 @@ class Snapshot:
     is said; `said` counts all that was, `spoken` is the key of what was said to its end last. `gestures`: those that
     run. `clips`: those that play, the oldest first; `played` counts all. `pads`: where the points of pads are that have
     been moved. `mappings`: what macros play; `macros`: those that were moved.
-    `springs`: how much of them is set and how they move, None while none has moved. `skin`: blood and tears as
-    they show and the faders of the skin, None where there is nothing of that.
+    `springs`: how much of them is set and how they move, None while none has moved. `skin`: blood, tears and
+    sweat as they show and the faders of the skin, None where there is nothing of that.
     """
 
     face: Axis

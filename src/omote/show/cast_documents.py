@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from omote.model.space.complexion import PALE
+from omote.model.space.complexion import PALE, ComplexionNumbers
 from omote.show.declaration import Name
 
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
@@ -98,7 +98,7 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     """An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
     what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
     yaw, pitch and roll, radians, of a face that answers with its head. `complexion`: what it does to the blood of
-    cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and to tears."""
+    cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, to tears and to sweat."""
 
     name: str
     label: str
@@ -110,7 +110,7 @@ class ExpressionDocument(msgspec.Struct, frozen=True):
     tags: list[str] = []
     place: float = 0.0
     head: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    complexion: tuple[float, float, float, float, float, float] = PALE
+    complexion: ComplexionNumbers = PALE
 
 
 class HairDocument(msgspec.Struct, frozen=True):

@@ -20,7 +20,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.albedo import SIDES, Albedo
 from omote.model.cast import Look
-from omote.model.space.complexion import PALE, check_complexion
+from omote.model.space.complexion import PALE, ComplexionNumbers, check_complexion
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import Gain, check_gain_region
@@ -65,7 +65,7 @@ class _Expression(
     pupil: float
     ears: _Array | None = None
     head: _Array | None = None
-    complexion: tuple[float, float, float, float, float, float] | None = None
+    complexion: ComplexionNumbers | None = None
 
 
 class _Gain(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):

@@ -53,7 +53,7 @@ def test_every_kind_of_edit_is_a_step(harness: EditHarness) -> None:
         (wire.SetLayers, [Layer("smile", "Smile", 0.5, "mouth", True)]),
         (wire.SetPulls, PULLED),
         (wire.SetEyes, (0.1, 0.0, 0.1, 0.0), -0.5),
-        (wire.SetComplexion, (0.5, 0.0, 0.0, 0.25, -0.1, 1.0)),
+        (wire.SetComplexion, (0.5, 0.0, 0.0, 0.25, -0.1, 1.0, 0.5)),
         (wire.SetNet, list(net)),
         (wire.Flatten,),
     ]
@@ -240,7 +240,7 @@ def bad_requests(net: tuple[int, ...]) -> list[tuple[str, type[Message], tuple[A
         ("not there any more", wire.SetLayers, ([Layer("#nothing", "?")],)),
         ("no muscle", wire.SetPulls, ([Pull("biter", 1.0)],)),
         ("eyeball", wire.SetEyes, ((math.nan, 0.0, 0.0, 0.0), 0.0)),
-        ("complexion", wire.SetComplexion, ((0.0, 0.0, 2.5, 0.0, 0.0, 0.0),)),
+        ("complexion", wire.SetComplexion, ((0.0, 0.0, 2.5, 0.0, 0.0, 0.0, 0.0),)),
         ("for a face", wire.SetFace, (FaceRecipe({"generic": 1.0}), "")),
         ("nothing was undone", wire.Redo, ()),
         ("no revision 7", wire.BringBack, (7,)),

@@ -40,6 +40,18 @@ def test_the_same_meshes_move_by_the_same_targets() -> None:
         assert groups[name]["presetName"] == "unknown"
 
 
+def test_colours_are_bound_to_materials_by_their_names() -> None:
+    vrm = both("strict")[0]["extensions"]["VRMC_vrm"]
+    binds = [{"material": 1, "type": "color", "targetValue": [1.0, 1.0, 1.0, 0.5]}]
+    vrm["expressions"]["preset"]["happy"]["materialColorBinds"] = binds
+    groups = describe_vrm0(vrm, ["skin", "folds_frown"], "Omote")["blendShapeMaster"]["blendShapeGroups"]
+    (bound,) = (group for group in groups if group["materialValues"])
+    assert (bound["presetName"], bound["materialValues"]) == (
+        "joy",
+        [{"materialName": "folds_frown", "propertyName": "_Color", "targetValue": [1.0, 1.0, 1.0, 0.5]}],
+    )
+
+
 def test_bones_and_gaze_are_the_same_and_every_material_is_named() -> None:
     new, old = both("strict")
     one = new["extensions"]["VRMC_vrm"]

@@ -32,8 +32,9 @@ def test_an_expression_binds_each_mesh_that_it_moves_by_the_place_of_its_target(
     one = tetrahedron("b")
     one = type(one)(**{**vars(one), "targets": {"all": one.targets["all"]}})
     found = describe_expressions(
-        [both, one], {"aa": {"one": 0.25, "all": 0.5}, "neutral": {}}, {"All": "all"}, {"aa": Overrides(mouth=True)}
-    )
+        [both, one], {"aa": {"one": 0.25, "all": 0.5}, "neutral": {}}, {"All": "all"}, {"aa": Overrides(mouth=True)},
+        lambda weights: {3: weights["all"]} if "all" in weights else {},
+    )  # fmt: skip
     assert found["preset"]["aa"]["morphTargetBinds"] == [
         {"node": 1, "index": 1, "weight": 0.25},
         {"node": 1, "index": 2, "weight": 0.5},
@@ -43,6 +44,10 @@ def test_an_expression_binds_each_mesh_that_it_moves_by_the_place_of_its_target(
         {"node": 1, "index": 2, "weight": 1.0},
         {"node": 2, "index": 0, "weight": 1.0},
     ]
+    for kind, name, shown in (("preset", "aa", 0.5), ("custom", "All", 1.0)):
+        bind = {"material": 3, "type": "color", "targetValue": [1.0, 1.0, 1.0, shown]}
+        assert found[kind][name]["materialColorBinds"] == [bind]
+    assert "materialColorBinds" not in found["preset"]["neutral"]
     assert "morphTargetBinds" not in found["preset"]["neutral"]  # an empty list is no list
     words = [found["preset"]["aa"][f"override{what}"] for what in ("Blink", "LookAt", "Mouth")]
     assert words == ["none", "none", "blend"]

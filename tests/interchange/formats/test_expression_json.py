@@ -55,7 +55,7 @@ def same(one: Expression, other: Expression) -> bool:
 def test_turns_of_ears_and_head_and_blood_come_back_and_are_left_out_where_there_are_none(cast: Cast) -> None:
     still = cast.expressions["smile"]
     turning = replace(still, ears=np.arange(6.0).reshape(2, 3) / 10, head=np.array([0.1, -0.2, 0.3]))
-    turning = replace(turning, complexion=Complexion(0.5, 0.0, -0.25, 1.0, 0.1, 1.0))
+    turning = replace(turning, complexion=Complexion(0.5, 0.0, -0.25, 1.0, 0.1, 1.0, 0.5))
     read = decode(encode(document(dense=to_dense(turning)))).dense
     assert read is not None
     assert same(from_dense(cast.space, read), turning)

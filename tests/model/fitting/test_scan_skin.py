@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import omote
+from omote.geometry import mesh
 from omote.model.fitting.head_zones import head_zones
-from omote.model.fitting.scan_skin import keep_skin, may_be_shut
-from omote.model.fitting.scan_surface import ScanSurface, sample_mesh
-from omote.model.space.face_fit import generic_face
+from omote.model.fitting.scan_skin import keep_skin, may_be_shut, squares_around_eyes
+from omote.model.fitting.scan_surface import ScanSurface, sample_cloud, sample_mesh
+from omote.perform.frame import Frame
 
 CAST = omote.load_cast()
 SPACE = CAST.space
@@ -39,10 +41,34 @@ def test_eyes_and_teeth_are_left_out_and_skin_stays() -> None:
     assert np.quantile(away, 0.5) > 0.001
 
 
-def test_eyes_are_shut_where_the_lids_meet_before_the_ball() -> None:
-    shut = omote.compound(SPACE, generic_face(SPACE), CAST.expressions["eyeBlinkLeft"])
-    both = omote.compound(SPACE, generic_face(SPACE), CAST.expressions["eyeBlinkRight"]).astype(np.float64)
-    closed = shut.astype(np.float64) + both - SPACE.points
-    for skin, answer in ((SPACE.points, False), (closed, True)):
-        surface = keep_skin(sample_mesh(skin, SPACE.triangles, BOX, 0.03), ZONES, SPACE.points)
-        assert may_be_shut(SPACE, surface, SPACE.points) is answer
+def people() -> dict[str, dict[str, float]]:
+    """Every face of the cast, and mixes of three by a seed."""
+    draw = np.random.default_rng(33)
+    names = sorted(CAST.faces)
+    mixes = {
+        f"mix {at}": dict(zip(draw.choice(names, 3, False), draw.dirichlet(np.ones(3)), strict=True)) for at in range(6)
+    }
+    return {name: {name: 1.0} for name in names} | mixes
+
+
+@pytest.mark.parametrize("faces", people().values(), ids=people().keys())
+def test_lids_that_meet_are_told_from_open_ones_on_every_head(faces: dict[str, float]) -> None:
+    blink = {"eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0}
+    head = omote.evaluate(CAST, Frame(faces, {"neutral": 1.0})).astype(np.float64)
+    for channels in ({}, blink, {"eyeBlinkLeft": 1.0}):
+        worn = omote.evaluate(CAST, Frame(faces, {"neutral": 1.0}, channels=channels)).astype(np.float64)
+        assert may_be_shut(SPACE, (worn, SPACE.triangles), head) is (channels == blink)
+        for off in (-0.003, 0.003):  # as far a fit may lie beside the lids, which are no part of it
+            assert may_be_shut(SPACE, (worn, SPACE.triangles), head + np.array([0.0, off, 0.0])) is (channels == blink)
+
+
+@pytest.mark.parametrize("face", ["generic", "man", "kaori"])
+def test_a_cloud_tells_the_same(face: str) -> None:
+    head = CAST.faces[face].positions.astype(np.float64)
+    outside = (head, mesh.normals(head, SPACE.triangles))
+    for blink in (0.0, 1.0):
+        channels = {"eyeBlinkLeft": blink, "eyeBlinkRight": blink}
+        worn = omote.evaluate(CAST, Frame({face: 1.0}, {"neutral": 1.0}, channels=channels)).astype(np.float64)
+        points = sample_mesh(worn, SPACE.triangles, BOX, 0.03).points[::5]
+        skin = keep_skin(sample_cloud(points, outside, BOX, 0.03), ZONES, head)
+        assert may_be_shut(SPACE, squares_around_eyes(SPACE, skin, head), head) is (blink == 1.0)

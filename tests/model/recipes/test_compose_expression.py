@@ -117,13 +117,16 @@ def test_a_muscle_pulls_linearly_and_eyes_turn() -> None:
     assert baked(turned).pupil == 0.5
 
 
-def test_blood_and_tears_add_as_layers_do_and_a_region_brings_its_own() -> None:
-    own = (0.25, 0.0, 0.0, 0.0, 0.0, 0.5)
+def test_blood_tears_and_sweat_add_as_layers_do_and_a_region_brings_its_own() -> None:
+    own = (0.25, 0.0, 0.0, 0.0, 0.0, 0.5, 0.25)
     whole = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 0.5),), complexion=own)
     cry = np.array(CAST.expressions["cry"].complexion)
     assert baked(whole).complexion == pytest.approx(0.5 * cry + own)
     eyes = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 1.0, "eyes"),))
-    assert baked(eyes).complexion == pytest.approx(cry * [0, 0, 0, 1, 0, 1])
+    assert baked(eyes).complexion == pytest.approx(cry * [0, 0, 0, 1, 0, 1, 0])
+    skull = msgspec.structs.replace(recipe(), layers=(Layer("fear", "Fear", 1.0, "skull"),))
+    fear = CAST.expressions["fear"].complexion
+    assert baked(skull).complexion == pytest.approx((0, 0, 0, 0, fear.whole, 0, fear.sweat))
     muted = msgspec.structs.replace(recipe(), layers=(Layer("cry", "Cry", 1.0, muted=True),))
     assert not any(baked(muted).complexion)
 

@@ -50,6 +50,7 @@ def test_blood_has_the_signs_of_the_literature() -> None:
     shown = {name: Complexion(*values) for name, values in COMPLEXIONS.items()}
     assert min(shown["angry"].forehead, shown["joy"].cheeks, shown["laugh"].cheeks) > 0.0 > shown["fear"].whole
     assert [name for name, own in shown.items() if own.tears == 1.0] == ["cry"]
+    assert {name for name, own in shown.items() if own.sweat} == {"shout", "fear", "pain"}  # effort, fear, pain
     assert all(abs(value) <= 1.0 for own in shown.values() for value in own)
 
 

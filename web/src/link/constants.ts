@@ -51,17 +51,17 @@ export const SKIN_FADERS = ["folds", "blood"] as const;
 /** How far a fader of the skin goes. */
 export const SKIN_LIMIT = 1.5;
 /** The numbers of a complexion, with the region whose mix brings each. */
-export const COMPLEXION = {"cheeks": "mouth", "nose": "rest", "forehead": "brows", "eyes": "eyes", "whole": null, "tears": "eyes"} as const;
+export const COMPLEXION = {"cheeks": "mouth", "nose": "rest", "forehead": "brows", "eyes": "eyes", "whole": null, "tears": "eyes", "sweat": null} as const;
 /** Where blood shows on the generic head: middle, radii (metres), share. */
 export const BLOOD_SPOTS = {"cheeks": [[0.049, -0.034, 0.03, 0.026, 1.0]], "nose": [[0.0, -0.034, 0.015, 0.016, 1.0], [0.0, -0.098, 0.017, 0.012, 0.6]], "forehead": [[0.0, 0.044, 0.046, 0.027, 1.0], [0.0, 0.016, 0.015, 0.014, 0.5]], "eyes": [[0.034, -0.003, 0.022, 0.016, 1.0]]} as const;
 /** What of a complexion a layer brings in one region of the head alone. */
-export const COMPLEXION_OF_REGION = {"brows": ["forehead"], "eyes": ["eyes", "tears"], "nose": ["nose"], "cheeks": ["cheeks"], "skull": ["whole"]} as const;
+export const COMPLEXION_OF_REGION = {"brows": ["forehead"], "eyes": ["eyes", "tears"], "nose": ["nose"], "cheeks": ["cheeks"], "skull": ["whole", "sweat"]} as const;
 /** Units whose pressing of the skin counts as rest. */
 export const LID_UNITS = ["eyeBlinkLeft", "eyeBlinkRight", "eyeLookDownLeft", "eyeLookDownRight", "eyeLookInLeft", "eyeLookInRight", "eyeLookOutLeft", "eyeLookOutRight", "eyeLookUpLeft", "eyeLookUpRight"] as const;
 /** What 255 of the folding of a vertex stands for. */
 export const FOLDING_MOST = 0.62;
-/** What blood is held in where several expressions bring it. */
-export const COMPLEXION_RANGE = [-0.8, 1.4] as const;
+/** What each part of a complexion is held in where several expressions bring it. */
+export const COMPLEXION_RANGES = {"cheeks": [-0.8, 1.4], "nose": [-0.8, 1.4], "forehead": [-0.8, 1.4], "eyes": [-0.8, 1.4], "whole": [-0.8, 1.4], "tears": [0.0, 1.0], "sweat": [0.0, 1.0]} as const;
 /** The layers that sources drive. */
 export const DRIVEN_LAYERS = ["breath", "gaze", "blink", "tracker", "lips", "playback"] as const;
 /** The source of what a character says, which ends by itself. */

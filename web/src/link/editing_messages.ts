@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 8;
+export const EDITING_VERSION = 9;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -62,7 +62,7 @@ export type Recipe = {
   pulls: Pull[];
   eyes: [number, number, number, number];
   pupil: number;
-  complexion: [number, number, number, number, number, number];
+  complexion: [number, number, number, number, number, number, number];
 };
 
 /**
@@ -170,14 +170,14 @@ export type SetEyes = {
 };
 
 /**
- * Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears, 1 as they
- * run.
+ * Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears and sweat,
+ * 1 as they run.
  */
 export type SetComplexion = {
   type: "set_complexion";
   request: number;
   item: number;
-  complexion: [number, number, number, number, number, number];
+  complexion: [number, number, number, number, number, number, number];
 };
 
 /**

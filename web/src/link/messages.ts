@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 10;
+export const PROTOCOL_VERSION = 11;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1739,8 +1739,9 @@ export type PadPointState = { place: number[]; plays: boolean };
  * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
  * `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
  * last panic. `springs`: how much of each is set, of those that are not 1. `complexion`: the blood that shows in
- * cheeks, nose, forehead, around the eyes and in the whole face, tears, and the metres that they have run; empty where
- * the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are not 1.
+ * cheeks, nose, forehead, around the eyes and in the whole face, tears, sweat, and the metres that these have run;
+ * empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
+ * not 1.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1887,7 +1888,7 @@ export type FaceDocument = {
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
  * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
  * yaw, pitch and roll, radians, of a face that answers with its head. `complexion`: what it does to the blood of
- * cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and to tears.
+ * cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, to tears and to sweat.
  */
 export type ExpressionDocument = {
   name: string;
@@ -1900,7 +1901,7 @@ export type ExpressionDocument = {
   tags: string[];
   place: number;
   head: [number, number, number];
-  complexion: [number, number, number, number, number, number];
+  complexion: [number, number, number, number, number, number, number];
 };
 
 /** A hair style: where its strands are, and the shade on the skin that goes with it, 0..1. */

@@ -15,13 +15,14 @@ import msgspec
 
 from omote.model.fitting.doubt import DoubtKind
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
+from omote.model.space.complexion import ComplexionNumbers
 from omote.show.access.access_role import AccessRole
 from omote.show.declaration import Message, Name, kinds_below
 from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.show.validation import name_escapes
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 8
+EDITING_VERSION = 9
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -155,10 +156,10 @@ class SetEyes(RecipeChange, frozen=True):
 
 
 class SetComplexion(RecipeChange, frozen=True):
-    """Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears, 1 as they
-    run."""
+    """Blood of cheeks, nose, forehead, eyes and the whole face, 1 a strong flush, below 0 pallor, and tears and sweat,
+    1 as they run."""
 
-    complexion: tuple[float, float, float, float, float, float]
+    complexion: ComplexionNumbers
 
 
 class Flatten(RecipeChange, frozen=True):

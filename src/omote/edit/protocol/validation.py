@@ -120,7 +120,7 @@ def _check_expression(recipe: Recipe, bounds: Bounds) -> None:
 
 
 def _check_added(recipe: Recipe) -> None:
-    """What a recipe adds to eyes, blood and tears."""
+    """What a recipe adds to eyes, blood, tears and sweat."""
     for angle in recipe.eyes:
         validate_number(angle, EYE)
     validate_number(recipe.pupil, PUPIL)

@@ -222,7 +222,7 @@ def _set_eyes(authored: Authored, recipe: Recipe, wanted: wire.SetEyes) -> Order
 
 
 def _set_complexion(authored: Authored, recipe: Recipe, wanted: wire.SetComplexion) -> Ordered:
-    return _bake_changed(authored, replace(recipe, complexion=wanted.complexion), "blood and tears")
+    return _bake_changed(authored, replace(recipe, complexion=wanted.complexion), "blood, tears and sweat")
 
 
 def _flatten(authored: Authored, recipe: Recipe, _: wire.Flatten) -> Ordered:

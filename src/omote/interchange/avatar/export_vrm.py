@@ -8,8 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from omote.arrays import Points, Values
+from omote.interchange.avatar.fold_overlays import build_overlays
 from omote.interchange.avatar.humanoid_skeleton import Joint, Skeleton, add_joints, bind_meshes, build_skeleton
 from omote.interchange.avatar.preset_expressions import (
+    Weights,
     custom_expressions,
     find_overrides,
     preset_weights,
@@ -79,9 +81,17 @@ def vrm_bytes(
     skeleton = build_skeleton(cast.space, fitted)
     ears = find_ear_bones(cast.space, cast.faces[face], skeleton.shift)
     scene = _stand(build_scene(context, face, worn.items(), hair=hair, drawn=True), skeleton)
+    rest = fitted.positions.astype(np.float64)
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
-    overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
-    expressions = describe_expressions(scene.shapes, presets, customs, overrides)
+    overlays = build_overlays(context, cast.looks[face], scene.shapes[0], rest, skins)
+    scene = replace(scene, shapes=[*scene.shapes, *overlays.shapes])
+    surfaces = list({id(shape.material): shape.material.name for shape in scene.shapes}.values())
+
+    def shown(weights: Weights) -> dict[int, float]:
+        return {surfaces.index(name): part for name, part in overlays.shown(weights).items()}
+
+    overrides = find_overrides(cast.space, rest, skins, presets)
+    expressions = describe_expressions(scene.shapes, presets, customs, overrides, shown)
     meta = describe_meta(credit.labels.get(face, face), credit.authors, terms, NOTICE)
     gaze = describe_gaze(cast, skeleton.eyes)
     parts = {"meta": meta, "expressions": expressions} | ({"lookAt": gaze} if gaze else {})
@@ -89,14 +99,14 @@ def vrm_bytes(
 
 
 def _stand(scene: ExportScene, skeleton: Skeleton) -> ExportScene:
-    """The scene on its feet; each shape keeps the targets that move it."""
+    """The scene on its feet; each shape keeps the targets that move it, and no tangents, which VRM does not take."""
     return replace(scene, shapes=[_placed(shape, skeleton.shift) for shape in scene.shapes], apart=True)
 
 
 def _placed(shape: Shape, shift: Points) -> Shape:
     points = shape.points.astype(np.float64) + shape.place + shift
     targets = {name: target for name, target in shape.targets.items() if target.moves.any()}
-    return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets)
+    return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets, tangents=None)
 
 
 def _encode(scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]) -> bytes:

@@ -5,7 +5,7 @@ VRM Consortium, specification/0.0: https://github.com/vrm-c/vrm-specification/tr
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from omote.interchange.formats.glb_writer import Json
 
@@ -43,8 +43,9 @@ def describe_vrm0(vrm: Json, materials: Iterable[str], generator: str, /) -> Jso
     joints = [{"bone": name, "node": bone["node"], "useDefaultValues": True} for name, bone in bones.items()]
     presets = vrm["expressions"]["preset"]
     customs = vrm["expressions"]["custom"]
-    groups = [_group(name, PRESETS.get(name, OTHER), expression) for name, expression in presets.items()]
-    groups += [_group(name, OTHER, expression) for name, expression in customs.items()]
+    named = list(materials)
+    groups = [_group(name, PRESETS.get(name, OTHER), expression, named) for name, expression in presets.items()]
+    groups += [_group(name, OTHER, expression, named) for name, expression in customs.items()]
     return {
         "exporterVersion": generator,
         "specVersion": "0.0",
@@ -53,7 +54,7 @@ def describe_vrm0(vrm: Json, materials: Iterable[str], generator: str, /) -> Jso
         "firstPerson": _first_person(vrm, bones["head"]["node"]),
         "blendShapeMaster": {"blendShapeGroups": groups},
         "secondaryAnimation": {"boneGroups": [], "colliderGroups": []},
-        "materialProperties": [_material(name) for name in materials],
+        "materialProperties": [_material(name) for name in named],
     }
 
 
@@ -80,14 +81,18 @@ def _allowed(allowed: bool) -> str:
     return "Allow" if allowed else "Disallow"
 
 
-def _group(name: str, preset: str, expression: Json) -> Json:
+def _group(name: str, preset: str, expression: Json, materials: Sequence[str]) -> Json:
     binds = [
         {"mesh": bind["node"] - 1, "index": bind["index"], "weight": round(FULL * bind["weight"], 4)}
         for bind in expression.get("morphTargetBinds", [])
     ]
+    values = [
+        {"materialName": materials[bind["material"]], "propertyName": "_Color", "targetValue": bind["targetValue"]}
+        for bind in expression.get("materialColorBinds", [])
+    ]
     alike = preset in (OTHER, name.lower())
     called = name[0].upper() + name[1:] if alike else preset.title()  # LookUp, Joy, A, Blink_L, as programs ask
-    return {"name": called, "presetName": preset, "binds": binds, "materialValues": [], "isBinary": False}
+    return {"name": called, "presetName": preset, "binds": binds, "materialValues": values, "isBinary": False}
 
 
 def _first_person(vrm: Json, head: int) -> Json:

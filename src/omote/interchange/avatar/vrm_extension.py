@@ -6,7 +6,7 @@ VRM Consortium, VRMC_vrm-1.0: https://github.com/vrm-c/vrm-specification/tree/ma
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from omote.interchange.avatar.humanoid_skeleton import Position
 from omote.interchange.avatar.preset_expressions import UNITS, Overrides, Weights
@@ -32,21 +32,26 @@ def describe_expressions(
     presets: Mapping[str, Weights],
     customs: Mapping[str, str],
     overrides: Mapping[str, Overrides],
+    shown: Callable[[Weights], Mapping[int, float]],
 ) -> Json:
     """All presets and custom expressions; shapes stand at nodes from 1 on; customs: targets by what they are called.
 
-    shapes: in the order of their nodes; presets: weights by name; overrides: by preset.
+    shapes: in the order of their nodes; presets: weights by name; overrides: by preset; shown: by weights, how much
+    shows of materials that nothing shows of at rest, by their places.
     """
     return {
         "preset": {
-            preset: _expression(shapes, weights, overrides.get(preset, Overrides()))
+            preset: _expression(shapes, weights, overrides.get(preset, Overrides()), shown(weights))
             for preset, weights in presets.items()
         },
-        "custom": {custom: _expression(shapes, {name: 1.0}, Overrides()) for custom, name in customs.items()},
+        "custom": {
+            custom: _expression(shapes, {name: 1.0}, Overrides(), shown({name: 1.0}))
+            for custom, name in customs.items()
+        },
     }
 
 
-def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides) -> Json:
+def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides, shown: Mapping[int, float]) -> Json:
     binds = [
         {"node": node, "index": list(shape.targets).index(name), "weight": part}
         for node, shape in enumerate(shapes, start=1)
@@ -55,6 +60,10 @@ def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides)
     ]
     words = {False: "none", True: "blend"}
     targets: Json = {"morphTargetBinds": binds} if binds else {}
+    if shown:
+        targets["materialColorBinds"] = [
+            {"material": place, "type": "color", "targetValue": [1.0, 1.0, 1.0, part]} for place, part in shown.items()
+        ]
     return targets | {
         "isBinary": False,
         "overrideBlink": words[overrides.blink],

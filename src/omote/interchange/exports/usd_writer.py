@@ -34,8 +34,11 @@ ORIGINAL = "omote:name"
 """The key of a prim's custom data that holds its name as it is in the cast, where identifiers cannot spell it."""
 
 
-def add_material(stage: Any, path: str, material: Material, picture: str) -> Any:
-    """Adds a UsdPreviewSurface material at a path of a stage; picture: the file of its picture, "" for none."""
+def add_material(stage: Any, path: str, material: Material, picture: str, relief: str = "") -> Any:
+    """Adds a UsdPreviewSurface material at a path of a stage.
+
+    picture, relief: the files of its picture and of its normals, "" for none.
+    """
     from pxr import Sdf, UsdShade
 
     prim = UsdShade.Material.Define(stage, path)
@@ -47,7 +50,14 @@ def add_material(stage: Any, path: str, material: Material, picture: str) -> Any
     if not picture:
         colour.Set(material.colour)
         return prim
-    texture = _texture(stage, path, picture)
+    texture = _texture(stage, path, "picture", picture)
+    if relief:
+        normals = _texture(stage, path, "relief", relief, "raw")
+        normals.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set((2.0, 2.0, 2.0, 1.0))
+        normals.CreateInput("bias", Sdf.ValueTypeNames.Float4).Set((-1.0, -1.0, -1.0, 0.0))
+        shader.CreateInput("normal", Sdf.ValueTypeNames.Normal3f).ConnectToSource(
+            normals.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+        )
     colour.ConnectToSource(texture.CreateOutput("rgb", Sdf.ValueTypeNames.Float3))
     if material.cut is not None:
         opacity = shader.CreateInput("opacity", Sdf.ValueTypeNames.Float)
@@ -56,15 +66,15 @@ def add_material(stage: Any, path: str, material: Material, picture: str) -> Any
     return prim
 
 
-def _texture(stage: Any, path: str, picture: str) -> Any:
-    """The shader that reads a picture at the texture coordinates."""
+def _texture(stage: Any, path: str, name: str, picture: str, colours: str = "sRGB") -> Any:
+    """The shader that reads a picture at the texture coordinates; name: its own; colours: what the numbers are."""
     from pxr import Sdf
 
     reader = _shader(stage, f"{path}/coordinates", "UsdPrimvarReader_float2")
     reader.CreateInput("varname", Sdf.ValueTypeNames.String).Set(COORDINATES)
-    texture = _shader(stage, f"{path}/picture", "UsdUVTexture")
+    texture = _shader(stage, f"{path}/{name}", "UsdUVTexture")
     texture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(picture))
-    texture.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+    texture.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set(colours)
     for wrap in ("wrapS", "wrapT"):
         texture.CreateInput(wrap, Sdf.ValueTypeNames.Token).Set("clamp")
     place = texture.CreateInput("st", Sdf.ValueTypeNames.Float2)
@@ -158,6 +168,7 @@ def _surfaces(stage: Any, top: str, scene: ExportScene, stem: str) -> dict[int, 
             f"{top}/materials/{material.name}",
             material,
             f"./{stem}.{material.name}.png" if material.picture else "",
+            f"./{stem}.{material.name}_relief.png" if material.relief else "",
         )
         for key, material in materials.items()
     }
@@ -289,8 +300,9 @@ def _extent(box: NDArray[np.float32]) -> Any:
 
 
 def _pictures(scene: ExportScene) -> dict[str, bytes]:
-    """The pictures (PNG) of a scene's materials, by the material's name."""
+    """The pictures (PNG) of a scene's materials, by the material's name, and of their normals."""
     pictures = {shape.material.name: shape.material.picture for shape in scene.shapes}
+    pictures |= {f"{shape.material.name}_relief": shape.material.relief for shape in scene.shapes}
     return {name: picture for name, picture in pictures.items() if picture is not None}
 
 

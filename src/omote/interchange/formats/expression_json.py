@@ -69,7 +69,7 @@ class Rest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """An expression, number for number; inner: rows of the inner skin; eyes: yaw and pitch, left and right; ears: how
     far the left and the right one go back, up and out; head: yaw, pitch, roll; radians. complexion: blood of cheeks,
-    nose, forehead, eyes and the whole face, and tears."""
+    nose, forehead, eyes and the whole face, tears and sweat."""
 
     sheet: Sheet
     inner: Rest
@@ -80,7 +80,7 @@ class Dense(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     transfer: Literal["smooth", "paper"]
     ears: tuple[Turn, Turn, Turn, Turn, Turn, Turn] | None = None
     head: tuple[Turn, Turn, Turn] | None = None
-    complexion: tuple[Blood, Blood, Blood, Blood, Blood, Blood] | None = None
+    complexion: tuple[Blood, Blood, Blood, Blood, Blood, Blood, Blood] | None = None
 
 
 class ExpressionFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

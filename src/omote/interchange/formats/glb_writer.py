@@ -56,7 +56,8 @@ class Material:
     """A surface: a picture (PNG) or a colour (red, green, blue, linear), how rough, and where alpha cuts holes.
 
     cut: what lies under this alpha is not there, 0 for all that is half there; None for a surface without holes;
-    both: seen from behind too.
+    both: seen from behind too; relief: a picture (PNG) of normals; shown: how much of all of it shows, 0 where an
+    avatar's expressions bring it.
     """
 
     name: str
@@ -65,6 +66,8 @@ class Material:
     roughness: float = 0.6
     cut: float | None = None
     both: bool = False
+    relief: bytes | None = None
+    shown: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +75,8 @@ class Shape:
     """A mesh under the root: points and normals (n, 3), uv (n, 2), triangles (t, 3), targets by name.
 
     points are metres from `place`; rows (n,): the vertices of the cast that these are, or NO_ROW; shade (n,): what is
-    left of the light, 0..1. Raises ValueError where arrays do not belong together.
+    left of the light, 0..1; tangents (n, 4): for the relief, None where programs find them. Raises ValueError where
+    arrays do not belong together.
     """
 
     name: str
@@ -85,10 +89,12 @@ class Shape:
     place: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rows: NDArray[np.integer] | None = None
     shade: Floats | None = None
+    tangents: Floats | None = None
 
     def __post_init__(self) -> None:
         count = len(self.points)
         expected = {"points": (count, 3), "normals": (count, 3), "uv": (count, 2), "rows": (count,), "shade": (count,)}
+        expected["tangents"] = (count, 4)
         for name, shape in expected.items():
             values = getattr(self, name)
             if values is not None and values.shape != shape:
@@ -148,6 +154,7 @@ class Store:
         self.views: list[Json] = []
         self.accessors: list[Json] = []
         self.pictures: list[Json] = []
+        self._placed: dict[bytes, int] = {}
 
     def view(self, data: bytes, target: int | None = None) -> int:
         """Adds bytes, each view on a whole number of four.
@@ -165,12 +172,14 @@ class Store:
         return len(self.accessors) - 1
 
     def picture(self, data: bytes, name: str) -> int:
-        """Adds a picture and the texture that shows it.
+        """Adds a picture and the texture that shows it, one that is there already once.
 
         data: a PNG; name: the picture's.
         """
-        self.pictures.append({"name": name, "mimeType": "image/png", "bufferView": self.view(data)})
-        return len(self.pictures) - 1
+        if data not in self._placed:
+            self._placed[data] = len(self.pictures)
+            self.pictures.append({"name": name, "mimeType": "image/png", "bufferView": self.view(data)})
+        return self._placed[data]
 
     def document(self) -> Json:
         """The JSON chunk's entries for all that was added, without empty ones."""
@@ -197,6 +206,8 @@ def _mesh(store: Store, shape: Shape, material: int) -> Json:
         "NORMAL": _full(store, shape.normals),
         "TEXCOORD_0": _full(store, shape.uv),
     }
+    if shape.tangents is not None:
+        attributes["TANGENT"] = _full(store, shape.tangents)
     if shape.rows is not None:  # exact up to 2**24 as floats; the format forbids whole numbers of 4 bytes
         attributes[ROWS] = _full(store, shape.rows.astype(np.float32))
     if shape.shade is not None:
@@ -245,7 +256,7 @@ def _delta(store: Store, values: Floats, name: str, *, bounds: bool = False) -> 
 
 
 def _form(values: Floats, *, bounds: bool) -> Json:
-    kinds = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}
+    kinds = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
     columns = 1 if values.ndim == 1 else values.shape[1]
     form: Json = {"componentType": FLOAT, "count": len(values), "type": kinds[columns]}
     if bounds:
@@ -260,7 +271,11 @@ def _material(store: Store, material: Material) -> Json:
         shine["baseColorFactor"] = [*material.colour, 1.0]
     else:
         shine["baseColorTexture"] = {"index": store.picture(material.picture, material.name)}
+    if material.shown < 1.0:
+        shine["baseColorFactor"] = [*material.colour, material.shown]
     entry: Json = {"name": material.name, "pbrMetallicRoughness": shine}
+    if material.relief is not None:
+        entry["normalTexture"] = {"index": store.picture(material.relief, f"{material.name}_relief")}
     if material.cut is not None:
         entry |= {"alphaMode": "MASK", "alphaCutoff": material.cut} if material.cut else {"alphaMode": "BLEND"}
     return entry | {"doubleSided": True} if material.both else entry

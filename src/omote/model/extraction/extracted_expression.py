@@ -59,7 +59,7 @@ class ExtractedExpression(Expression):
         Turn of the head, radians.
     signed : bool
         Not played below 0: a displacement does not say it.
-    complexion : sequence of six floats
+    complexion : sequence of seven floats
         As at rest: a displacement does not say it.
     uncertainty : ndarray of float64, (V,)
         How far the skin of other faces may be off, metres: 0 where the displacement says it, or a sum of known

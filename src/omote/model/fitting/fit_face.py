@@ -20,7 +20,7 @@ from omote.model.fitting.lids.lid_edges import LidEdges, see_lid_edges
 from omote.model.fitting.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.plate_fit import Hold, bend, find_lengths, match
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.scan_skin import keep_skin, may_be_shut
+from omote.model.fitting.scan_skin import keep_skin, may_be_shut, squares_around_eyes
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
 from omote.model.fitting.skin_repair import (
     ease_creases,
@@ -202,11 +202,12 @@ def fit_face(
     skin = keep_skin(surface, zones, head)
     expected = {name: modes_fit.pose(points) for name, points in modes.shape_parts(modes_fit.weights).items()}
     balls = find_balls(surface, {name: expected[name] for name in space.eyes})
-    filled = len(balls) < 2 and may_be_shut(space, skin, head)  # who is made with eyeballs looks
+    edges = see_lid_edges(space, scan, placement, skin)
+    seen_skin = squares_around_eyes(space, skin, head) if edges is None else (edges.points, edges.triangles)
+    filled = len(balls) < 2 and may_be_shut(space, seen_skin, head)  # who is made with eyeballs looks
     tell(0.25, "the skin")
     closed = filled if shut is None else shut
-    edges = None if closed else see_lid_edges(space, scan, placement, skin)
-    bent = _bend(space, zones, skin, marks, head, closed, edges)
+    bent = _bend(space, zones, skin, marks, head, closed, None if closed else edges)
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, expected, head, bent, balls)
     upright = set_upright(space, modes_fit.pose, parts, bent, bool(landmarks))

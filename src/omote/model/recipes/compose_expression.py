@@ -28,7 +28,7 @@ HEAVIEST = 4.0
 @dataclass
 class _Sum:
     """What is added up: field (V, 3) of dtheta, dh and R - 1, residual (inner, 3), parts, eyes (2, 2), pupil,
-    ears (2, 3), head (3,), complexion (6,)."""
+    ears (2, 3), head (3,), complexion (7,)."""
 
     field: Values
     residual: Values
@@ -138,7 +138,7 @@ def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Laye
 
 
 def _blood_in(region: str | None) -> Values:
-    """How much of each part of a complexion a layer brings (6,): all of it, or that of its region."""
+    """How much of each part of a complexion a layer brings (7,): all of it, or that of its region."""
     return np.array([float(region is None or part in OF_REGION.get(region, ())) for part in PARTS])
 
 

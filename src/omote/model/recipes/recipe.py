@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.model.space.complexion import PALE
+from omote.model.space.complexion import PALE, ComplexionNumbers
 
 Vector = tuple[float, float, float]
 
@@ -50,7 +50,7 @@ class Recipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field=
     pulls: tuple[Pull, ...] = ()
     eyes: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
     pupil: float = 0.0
-    complexion: tuple[float, float, float, float, float, float] = PALE
+    complexion: ComplexionNumbers = PALE
 
 
 class GainRow(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,6 +1,6 @@
-"""The complexion that an expression brings: how much blood shows where, and tears.
+"""The complexion that an expression brings: how much blood shows where, tears and sweat.
 
-An expression carries it with its field; what is on air follows in seconds (docs/method.md, "Blood and tears").
+An expression carries it with its field; what is on air follows in seconds (docs/method.md, "Blood, tears and sweat").
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ MOST = 2.0
 
 class Complexion(NamedTuple):
     """Blood in the skin of the cheeks, of nose and chin, of the forehead, around the eyes and in the whole face, 1 a
-    strong flush, below 0 pallor; tears, 0 none to 1 as they run."""
+    strong flush, below 0 pallor; tears, 0 none to 1 as they run; sweat, 0 none to 1 as its beads run."""
 
     cheeks: float = 0.0
     nose: float = 0.0
@@ -25,19 +25,38 @@ class Complexion(NamedTuple):
     eyes: float = 0.0
     whole: float = 0.0
     tears: float = 0.0
+    sweat: float = 0.0
 
 
 PALE: Complexion = Complexion()
-"""Of an expression that leaves blood and tears alone."""
+"""Of an expression that leaves blood, tears and sweat alone."""
 PARTS = Complexion._fields
+ComplexionNumbers = tuple[float, float, float, float, float, float, float]
+"""A complexion as documents and messages have it."""
+WATER = ("tears", "sweat")
+"""The parts that lie on the skin, 0 to 1; all others are blood."""
 REGIONS: Mapping[str, PlayRegion | None] = MappingProxyType(
-    {"cheeks": "mouth", "nose": "rest", "forehead": "brows", "eyes": "eyes", "whole": None, "tears": "eyes"}
+    {
+        "cheeks": "mouth",
+        "nose": "rest",
+        "forehead": "brows",
+        "eyes": "eyes",
+        "whole": None,
+        "tears": "eyes",
+        "sweat": None,
+    }
 )
 """By part, the region whose mix of expressions brings it where regions differ; None: that of the whole face."""
 
 
 OF_REGION: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {"brows": ("forehead",), "eyes": ("eyes", "tears"), "nose": ("nose",), "cheeks": ("cheeks",), "skull": ("whole",)}
+    {
+        "brows": ("forehead",),
+        "eyes": ("eyes", "tears"),
+        "nose": ("nose",),
+        "cheeks": ("cheeks",),
+        "skull": ("whole", "sweat"),
+    }
 )
 """The parts that a layer of a recipe brings in one region of the head alone; all of them without a region."""
 SPOTS: Mapping[str, tuple[tuple[float, float, float, float, float], ...]] = MappingProxyType(

@@ -48,8 +48,8 @@ class Expression:
         Yaw, pitch and roll of the head, radians; only faces with a gain for the head answer it.
     signed : bool
         Whether it is played below 0 as far as above it, as by a spring: ears then go as far the one way as the other.
-    complexion : sequence of six floats
-        What it does to blood and tears, as of `Complexion`, -2 to 2 each.
+    complexion : sequence of seven floats
+        What it does to blood, tears and sweat, as of `Complexion`, -2 to 2 each.
 
     Raises
     ------

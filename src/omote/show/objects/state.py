@@ -164,8 +164,9 @@ class CharacterState(msgspec.Struct, frozen=True):
     says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
     `macros`: all that it has. `pads`: where the points of pads are, by name, of those that have been moved since the
     last panic. `springs`: how much of each is set, of those that are not 1. `complexion`: the blood that shows in
-    cheeks, nose, forehead, around the eyes and in the whole face, tears, and the metres that they have run; empty where
-    the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are not 1.
+    cheeks, nose, forehead, around the eyes and in the whole face, tears, sweat, and the metres that these have run;
+    empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
+    not 1.
     """
 
     faces: dict[str, float]

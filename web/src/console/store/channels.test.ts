@@ -9,7 +9,7 @@ const unit = (name: string, kind: ExpressionDocument["kind"] = "arkit", region =
   region,
   eyes: [0, 0, 0, 0],
   pupil: 0,
-  complexion: [0, 0, 0, 0, 0, 0],
+  complexion: [0, 0, 0, 0, 0, 0, 0],
   source: name,
   tags: [],
   place: 0,

@@ -1,8 +1,8 @@
-/** The panel that sets blood and tears of an expression. */
+/** The panel that sets blood, tears and sweat of an expression. */
 
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { COMPLEXION } from "../../link/constants";
+import { COMPLEXION, COMPLEXION_RANGES } from "../../link/constants";
 import type { Recipe } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { amountOf } from "../controls/amount";
@@ -21,9 +21,10 @@ const LABELS: Readonly<Record<Part, string>> = {
   eyes: "Around the eyes",
   whole: "The whole face",
   tears: "Tears",
+  sweat: "Sweat",
 };
 
-/** Blood and tears: what the expression adds to those of its layers. */
+/** Blood, tears and sweat: what the expression adds to those of its layers. */
 @customElement("omote-complexion")
 export class ComplexionPanel extends EditorElement {
   static override styles = [base, controls, panel];
@@ -33,9 +34,9 @@ export class ComplexionPanel extends EditorElement {
   override render() {
     return html`
       <p>What this expression adds to the blood in the skin: 100 % is a strong flush, below 0 the skin pales. On air it follows
-        in seconds. Tears run from 50 % on.</p>
+        in seconds, sweat in half a minute. Tears and beads of sweat run from 50 % on.</p>
       ${PARTS.map((part, at) => this.#slider(part, at))}
-      <button @click=${() => this.#send([0, 0, 0, 0, 0, 0])}>As at rest</button>
+      <button @click=${() => this.#send([0, 0, 0, 0, 0, 0, 0])}>As at rest</button>
     `;
   }
 
@@ -43,7 +44,7 @@ export class ComplexionPanel extends EditorElement {
     const { liveComplexion } = this.store;
     const changed = (event: Event): Recipe["complexion"] =>
       liveComplexion.map((value, other) => (other === at ? amountOf(event) : value)) as Recipe["complexion"];
-    return html`<omote-amount label=${LABELS[part]} .unit=${PERCENT} .low=${-1} .high=${part === "tears" ? 1 : 1.4}
+    return html`<omote-amount label=${LABELS[part]} .unit=${PERCENT} .low=${-1} .high=${COMPLEXION_RANGES[part][1]}
       .value=${liveComplexion[at]} @live=${(event: Event) => this.store.flush(changed(event))}
       @done=${(event: Event) => this.#send(changed(event))}></omote-amount>`;
   }

@@ -35,7 +35,7 @@ const recipeOf = (vectors: Vector[], more: Partial<Recipe> = {}): Recipe => ({
   pulls: [],
   eyes: [0, 0, 0, 0],
   pupil: 0,
-  complexion: [0, 0, 0, 0, 0, 0],
+  complexion: [0, 0, 0, 0, 0, 0, 0],
   ...more,
 });
 

@@ -20,7 +20,7 @@ import { LayerPreview } from "./layer_preview";
 
 export { type EditorTopic as Topic, MOST_NEIGHBOURS, type Options, type Tool } from "./editor_store";
 
-const PALE: Recipe["complexion"] = [0, 0, 0, 0, 0, 0];
+const PALE: Recipe["complexion"] = [0, 0, 0, 0, 0, 0, 0];
 const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
 export class DraftStore extends EditorStore {
@@ -37,7 +37,7 @@ export class DraftStore extends EditorStore {
   livePulls: ReadonlyMap<string, number> = new Map();
   /** What the recipe adds to eyeballs and pupils, as the hand has it now. */
   liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
-  /** What the recipe adds to blood and tears, as the hand has it now. */
+  /** What the recipe adds to blood, tears and sweat, as the hand has it now. */
   liveComplexion: Recipe["complexion"] = PALE;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
@@ -177,7 +177,7 @@ export class DraftStore extends EditorStore {
     this.edit({ type: "set_eyes", eyes: this.liveEyes.turns, pupil: this.liveEyes.pupil });
   }
 
-  /** Blood and tears show so far, on this page only, until `sendComplexion`. */
+  /** Blood, tears and sweat show so far, on this page only, until `sendComplexion`. */
   flush(complexion: Recipe["complexion"]): void {
     this.liveComplexion = complexion;
     this.tell("live");

@@ -22,7 +22,7 @@ const STILL: Pick<Recipe, "vectors" | "pulls" | "eyes" | "pupil" | "complexion" 
   pulls: [],
   eyes: [0, 0, 0, 0],
   pupil: 0,
-  complexion: [0, 0, 0, 0, 0, 0],
+  complexion: [0, 0, 0, 0, 0, 0, 0],
   ground: null,
 };
 

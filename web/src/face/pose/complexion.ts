@@ -1,6 +1,6 @@
-/** Blood and tears of a pose: as the show has them, or where it says nothing what the expressions bring. */
+/** Blood, tears and sweat of a pose: as the show has them, or where it says nothing what the expressions bring. */
 
-import { COMPLEXION, COMPLEXION_RANGE } from "../../link/constants";
+import { COMPLEXION, COMPLEXION_RANGES } from "../../link/constants";
 import type { ExpressionDocument } from "../../link/messages";
 import { expressionWeights } from "./mix_terms";
 import type { Pose } from "./pose";
@@ -9,7 +9,7 @@ type Part = keyof typeof COMPLEXION;
 
 const PARTS = Object.keys(COMPLEXION) as Part[];
 
-/** Blood by part of the face, 1 a strong flush and below 0 pallor; tears, 0..1; and the metres that these have run. */
+/** Blood by part of the face, 1 a strong flush and below 0 pallor; tears and sweat, 0..1; and the metres that these have run. */
 export type Complexion = Record<Part | "drops", number>;
 
 /** The complexion of a pose; one that a picture or an editor made has what its expressions bring, at once. */
@@ -21,7 +21,7 @@ export function complexionOf(pose: Pose, expressions: ReadonlyMap<string, Expres
     const sum = weights.reduce((total, [name, weight]) => {
       return total + weight * (expressions.get(name)?.complexion[at] ?? 0);
     }, 0);
-    const [low, high] = part === "tears" ? [0, 1] : COMPLEXION_RANGE;
+    const [low, high] = COMPLEXION_RANGES[part];
     return Math.min(high, Math.max(low, sum));
   });
   return named(brought);

@@ -6,7 +6,7 @@ import type { CharacterState, State } from "../../link/messages";
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
 export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "added" | "head" | "eyes"> &
   Pick<State, "light"> & {
-    /** Blood, tears and what these have run, as in a state; without it what the expressions bring, at once. */
+    /** Blood, tears, sweat and what these have run, as in a state; without it what the expressions bring, at once. */
     readonly complexion?: readonly number[] | undefined;
     /** How much of the skin's folds shows; all without it. */
     readonly folds?: number | undefined;

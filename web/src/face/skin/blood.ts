@@ -1,4 +1,4 @@
-/** Blood in the skin and tears on it, as the shaders take them. */
+/** Blood in the skin, and tears and sweat on it, as the shaders take them. */
 
 import * as THREE from "three";
 import { BLOOD_SPOTS } from "../../link/constants";
@@ -8,23 +8,24 @@ import type { SkinTraits } from "./skin_layers";
 type Spot = keyof typeof BLOOD_SPOTS;
 const SPOTS = Object.keys(BLOOD_SPOTS) as Spot[];
 
-/** Blood by part of the face, tears, and the metres that these have run. */
-type ShownBlood = Readonly<Record<Spot | "whole" | "tears" | "drops", number>>;
+/** Blood by part of the face, tears, sweat, and the metres that these have run. */
+type ShownBlood = Readonly<Record<Spot | "whole" | "tears" | "sweat" | "drops", number>>;
 
 /** How much of its blood shows through a fur. */
 const THROUGH_FUR = 0.35;
 
-/** The uniforms of blood and tears. */
+/** The uniforms of blood, tears and sweat. */
 export const bloodUniforms = () => ({
   blood: { value: new THREE.Vector4() }, // of the spots
   flush: { value: 0 }, // of the whole face
   tears: { value: 0 },
+  sweat: { value: 0 },
   drops: { value: 0 }, // metres
 });
 
 export type BloodUniforms = ReturnType<typeof bloodUniforms>;
 
-/** Writes a complexion for the next frame; lacquer hides all of it, and a fur most. */
+/** Writes a complexion for the next frame; lacquer hides all of it, and a fur most and all sweat. */
 export function writeBlood(
   shown: ShownBlood,
   { lacquer, fur }: Pick<SkinTraits, "lacquer" | "fur">,
@@ -34,6 +35,7 @@ export function writeBlood(
   into.blood.value.fromArray(SPOTS.map((spot) => bare * shown[spot]));
   into.flush.value = bare * shown.whole;
   into.tears.value = shown.tears * (1 - lacquer);
+  into.sweat.value = shown.sweat * (1 - lacquer) * (1 - fur);
   into.drops.value = shown.drops;
 }
 

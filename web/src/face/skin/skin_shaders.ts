@@ -2,9 +2,10 @@
 
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 import { BLOOD, FLUSHED } from "./blood";
-import { FOLDS, TEARS } from "./fold_shaders";
+import { FOLDS } from "./fold_shaders";
 import { SCALP_COLOURS, SKIN_COLOURS } from "./skin_colour_shaders";
 import { OILY } from "./skin_paint_shaders";
+import { WATER } from "./water_shaders";
 
 /** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
 const STEEPEST = 0.8;
@@ -74,7 +75,7 @@ uniform float gloss;
 #ifdef DETAIL
 uniform sampler2D relief;
 in vec3 vUp;
-${FOLDS}${TEARS}
+${FOLDS}${WATER}
 
 /** The normal tilted by slopes along the texture's columns and rows (M. Mikkelsen, "Surface Gradient Based Bump Mapping", 2020). */
 vec3 tilted(vec3 normal, vec2 slope) {
@@ -151,13 +152,14 @@ vec3 lit(Layers layers, Ground at, float open) {
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.97 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   strength *= open;
 #ifdef DETAIL
-  Tear tear = tearAt();
-  if (tear.water > 0.0) {
-    vec3 level = normalize(cross(vUp, form));
-    normal = normalize(normal + tear.slope.x * level + tear.slope.y * cross(form, level));
-    wet = max(wet, tear.water);
-    sharpness = mix(sharpness, 110.0, tear.water);
-    strength = mix(strength, 1.4, tear.water);
+  Water water = waterAt((1.0 - at.hair) * (1.0 - at.lips));
+  if (water.lies + water.film > 0.0) {
+    vec3 level = cross(vUp, form);
+    level *= inversesqrt(max(dot(level, level), 1e-6)); // under the chin nothing is level
+    normal = normalize(normal + water.slope.x * level + water.slope.y * cross(form, level));
+    wet = max(wet, max(water.lies, 0.5 * water.film));
+    sharpness = mix(mix(sharpness, 42.0, 0.8 * water.film), 110.0, water.lies);
+    strength = mix(mix(strength, max(strength, 0.85 * open), water.film), 1.4, water.lies);
   }
 #endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
@@ -167,7 +169,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
 #ifdef DETAIL
-  seen += at.albedo * diffuse * max(-tear.slope.y, 0.0) * 0.45 * tear.water; // a drop gathers light at its foot
+  seen += at.albedo * diffuse * (0.55 * max(-water.slope.y, 0.0) - 0.3 * max(water.slope.y, 0.0)) * water.lies; // a drop gathers light at its foot
 #endif
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);

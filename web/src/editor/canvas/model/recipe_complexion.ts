@@ -1,4 +1,4 @@
-/** The blood and tears that a recipe adds up to. */
+/** The blood, tears and sweat that a recipe adds up to. */
 
 import { COMPLEXION, COMPLEXION_OF_REGION } from "../../../link/constants";
 import type { Recipe } from "../../../link/editing_messages";
@@ -7,7 +7,7 @@ import type { Manifest } from "../../../link/messages";
 const PARTS = Object.keys(COMPLEXION);
 const OF_REGION: Readonly<Record<string, readonly string[]>> = COMPLEXION_OF_REGION;
 
-/** What layers bring, with what the hand sets now (six numbers), as far as the cast's documents tell. */
+/** What layers bring, with what the hand sets now (seven numbers), as far as the cast's documents tell. */
 export function complexionOfRecipe(
   recipe: Recipe | null,
   hand: readonly number[],
