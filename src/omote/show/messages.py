@@ -18,7 +18,7 @@ from omote.show.cast_documents import CompoundAsset, ContentAsset, FaceAsset, Ha
 from omote.show.declaration import ClientMessage, Declared, Message, ServerMessage, kinds_below, tag_of
 from omote.show.objects.documents import Document
 
-PROTOCOL_VERSION = 10
+PROTOCOL_VERSION = 11
 LINK_PATH = "/link"
 STATE_RATE = 60.0
 """States per second."""

@@ -1,13 +1,14 @@
 /** The row of memories: whole looks that are kept by a press and called by another. */
 
-import { css, html } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { css, html, nothing } from "lit";
+import { customElement, query, queryAll, state } from "lit/decorators.js";
 import { base, ellipsis, flow } from "../../ui/theme";
+import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { hearWhileShown } from "../../ui/topic_element";
 import { ConsoleElement } from "../controls/console_element";
 import { short } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
-import { MemoryCommands, type MemoryPress, PLACES, placesOf } from "./memory_commands";
+import { MemoryCommands, type MemoryPress, PLACES, pictureOf, placesOf } from "./memory_commands";
 
 const style = css`
   .row {
@@ -28,6 +29,23 @@ const style = css`
     min-width: 24px;
     max-width: 110px;
     padding: 0 3px;
+    ${ellipsis}
+  }
+  button.kept {
+    display: flex;
+    align-items: center;
+    justify-content: center;
+    gap: 3px;
+    padding: 0 4px 0 1px;
+  }
+  canvas {
+    flex: none;
+    height: var(--picture, 28px);
+    aspect-ratio: ${THUMBNAIL_SIZE.width} / ${THUMBNAIL_SIZE.height};
+    border-radius: 3px;
+    background: #000;
+  }
+  button > span {
     ${ellipsis}
   }
   button.empty {
@@ -73,11 +91,12 @@ export class MemoryRow extends ConsoleElement {
   /** Whether there are memories to the right of what is in sight. */
   @state() private goesOn = false;
   @query(".row") private row!: HTMLElement;
+  @queryAll("canvas") private pictures!: NodeListOf<HTMLCanvasElement>;
   #shown = "";
 
   static override styles = [base, style];
 
-  protected override readonly topics: readonly Topic[] = ["state"];
+  protected override readonly topics: readonly Topic[] = ["state", "memory_list", "pad_list", "manifest", "characters"];
 
   constructor() {
     super();
@@ -87,9 +106,9 @@ export class MemoryRow extends ConsoleElement {
   }
 
   /** States come sixty times a second. */
-  protected override changed(): void {
+  protected override changed(topic: Topic): void {
     const shown = JSON.stringify(this.#commands.kept);
-    if (shown !== this.#shown) this.requestUpdate();
+    if (topic !== "state" || shown !== this.#shown) this.requestUpdate();
     this.#shown = shown;
   }
 
@@ -117,6 +136,11 @@ export class MemoryRow extends ConsoleElement {
 
   override updated(): void {
     this.#hint();
+    for (const canvas of this.pictures) {
+      const subject = pictureOf(this.store, canvas.dataset.of ?? "");
+      canvas.style.visibility = subject === null ? "hidden" : "";
+      if (subject !== null) this.context.thumbnails.ask(canvas, subject);
+    }
   }
 
   /** Fades what goes on to the right: scroll bars are hidden on tablets until they are used. */
@@ -141,8 +165,12 @@ export class MemoryRow extends ConsoleElement {
 
   #key(name: string, there: boolean) {
     const [key, does] = [PLACES.includes(name) ? ` (Shift ${name})` : "", DOES[this.means]];
-    return html`<button class=${there ? "" : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
-      title="${does} ${name}${key}" @click=${() => this.press(name)}>${name}</button>`;
+    return html`<button class=${there ? "kept" : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
+      title="${does} ${name}${key}" @click=${() => this.press(name)}>${
+        there
+          ? html`<canvas data-of=${name} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>`
+          : nothing
+      }<span>${name}</span></button>`;
   }
 }
 
