@@ -172,7 +172,9 @@ class Tabs:
         context = self.browser.new_context(device_scale_factor=scale, **options)
         context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
-        return Tab(page, context.new_cdp_session(page), scale)
+        tools = context.new_cdp_session(page)
+        tools.send("Page.enable")  # scripts that run before a page's own would else not run
+        return Tab(page, tools, scale)
 
     def give_back(self, tab: Tab, show: str) -> None:
         """Clears a tab for the next test; closes one that its test has closed, or that cannot leave its page."""

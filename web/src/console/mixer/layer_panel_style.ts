@@ -148,7 +148,7 @@ export const style = css`
   .none {
     color: var(--dim);
   }
-  .detail omote-motion-settings {
+  .detail :is(omote-motion-settings, omote-skin-settings) {
     max-width: 460px;
   }
   @media (max-height: 720px) {
