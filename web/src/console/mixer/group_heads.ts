@@ -24,9 +24,9 @@ const LABELS: Readonly<Record<MixerGroup, readonly [string, string]>> = {
 const style = css`
   :host {
     display: grid;
-    grid-auto-rows: minmax(34px, 52px);
+    grid-auto-rows: minmax(32px, 52px);
     align-content: start;
-    gap: 4px;
+    gap: 3px;
     min-height: 0;
     overflow: auto;
     scrollbar-width: thin;

@@ -32,20 +32,29 @@ const style = css`
     ${ellipsis}
   }
   button.kept {
-    display: flex;
-    align-items: center;
-    justify-content: center;
-    gap: 3px;
-    padding: 0 4px 0 1px;
-  }
-  canvas {
-    flex: none;
-    height: var(--picture, 28px);
-    aspect-ratio: ${THUMBNAIL_SIZE.width} / ${THUMBNAIL_SIZE.height};
-    border-radius: 3px;
+    position: relative;
+    padding: 0;
     background: #000;
   }
-  button > span {
+  button.named {
+    min-width: 72px;
+  }
+  canvas {
+    display: block;
+    height: var(--picture, 30px);
+    aspect-ratio: ${THUMBNAIL_SIZE.width} / ${THUMBNAIL_SIZE.height};
+    margin: 0 auto;
+  }
+  .kept > span {
+    position: absolute;
+    inset: 1px auto auto 1px;
+    max-width: calc(100% - 2px);
+    padding: 0 3px;
+    font-size: 11px;
+    line-height: 14px;
+    border-radius: 3px;
+    color: var(--text);
+    background: #000c;
     ${ellipsis}
   }
   button.empty {
@@ -55,6 +64,10 @@ const style = css`
   }
   .means {
     flex: 0 0 auto;
+    order: -1; /* where the row scrolls they are in sight */
+  }
+  .row > span {
+    order: -2;
   }
   .means[aria-pressed="true"],
   .asked button:not(.means) {
@@ -77,8 +90,8 @@ const style = css`
     button {
       min-width: 40px;
     }
-    .means {
-      order: -1; /* where the row scrolls they are in sight */
+    :host {
+      --picture: 38px;
     }
   }
 `;
@@ -165,7 +178,7 @@ export class MemoryRow extends ConsoleElement {
 
   #key(name: string, there: boolean) {
     const [key, does] = [PLACES.includes(name) ? ` (Shift ${name})` : "", DOES[this.means]];
-    return html`<button class=${there ? "kept" : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
+    return html`<button class=${there ? (key === "" ? "kept named" : "kept") : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
       title="${does} ${name}${key}" @click=${() => this.press(name)}>${
         there
           ? html`<canvas data-of=${name} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>`
