@@ -23,7 +23,6 @@ import { LayerCommands, layerLabel } from "./layer_commands";
 import { style } from "./layer_panel_style";
 import "./gaze_target_settings";
 import "./motion_settings";
-import "./skin_settings";
 import "./speech_line";
 import "./group_heads";
 import "./layer_fader";

@@ -1,10 +1,10 @@
-/** How much the character moves by itself: lids, eyes and the head that follows them, breath; and what swings of it. */
+/** How much the character moves by itself: lids, eyes and the head that follows them, breath; what swings of it; and what its skin shows. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { SPRINGS } from "../../link/constants";
+import { SKIN_FADERS, SKIN_LIMIT, SPRINGS } from "../../link/constants";
 import { base } from "../../ui/theme";
-import { type Knob, type MotionDetail, type SpringName, STILL } from "../store/knob";
+import { type Knob, type MotionDetail, type SkinFader, type SpringName, STILL } from "../store/knob";
 import type { Topic } from "../store/page_store";
 import { GazeTargetCommands } from "./gaze_target_commands";
 import { SliderSettings, sliderStyle } from "./slider_settings";
@@ -66,5 +66,25 @@ export class MotionSettings extends SliderSettings<MotionDetail | SpringName> {
     if (air === null || this.offsetParent === null) return;
     const idle = this.renderRoot.querySelector(".idle") as HTMLElement;
     this.write.attribute(idle, "aria-pressed", String(air.motion?.idle ?? false));
+  }
+}
+
+/** What each fader of the skin is for. */
+const SKIN_WORDS: Readonly<Record<SkinFader, readonly [label: string, title: string]>> = {
+  folds: ["Folds", "How deep skin folds where expressions press it together; deeper with age"],
+  blood: ["Blush and pallor", "How much the skin reddens and pales with expressions; it follows in seconds"],
+};
+
+/** How much of what expressions do to the skin shows. */
+@customElement("omote-skin-settings")
+export class SkinSettings extends SliderSettings<SkinFader> {
+  static override styles = [base, ...sliderStyle];
+
+  override render() {
+    return html`${SKIN_FADERS.map((name) => this.slider({ name, label: SKIN_WORDS[name][0], title: SKIN_WORDS[name][1], most: SKIN_LIMIT, rest: 1 }))}`;
+  }
+
+  protected knob(name: SkinFader): Knob {
+    return this.store.skin(name);
   }
 }
