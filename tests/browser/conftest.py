@@ -63,10 +63,11 @@ supervisor.PROGRAM = (sys.executable, "-c", {PATIENT_STANDBY!r})
 main()
 """
 
-NO_PICTURES = """
-const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
-for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) prototype.getContext = other(prototype.getContext);
-"""
+NO_PICTURES = """{
+    const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+    const kinds = [HTMLCanvasElement, OffscreenCanvas];
+    for (const { prototype } of kinds) prototype.getContext = other(prototype.getContext);
+}"""
 
 KEEP = "for (const [key, text] of %s) localStorage.getItem(key) ?? localStorage.setItem(key, text);"
 

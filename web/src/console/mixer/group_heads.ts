@@ -7,7 +7,7 @@ import { AnimatedElement } from "../controls/console_element";
 import { narrow, tight } from "../controls/screen_sizes";
 import { MIXER_GROUPS, type MixerGroup } from "../store/arrangement";
 import type { LayerName } from "../store/layer_state";
-import { type GroupWords, motionWords, partWords, saysWords, skinWords, sourceWords, targetWords } from "./group_words";
+import { type GroupWords, motionWords, partWords, saysWords, sourceWords, targetWords } from "./group_words";
 import { layerLabel } from "./layer_commands";
 
 /** What each group is called, and what is in it. */
@@ -15,8 +15,10 @@ const LABELS: Readonly<Record<MixerGroup, readonly [string, string]>> = {
   strips: ["Mix", "A fader for each layer"],
   sources: ["Sources", "What sends a face, whom it plays and in which parts, how it is read"],
   parts: ["By part", "How much of the chosen layer shows in each part"],
-  motion: ["By itself", "How much the character moves by itself, and whether it does while its tracker is lost"],
-  skin: ["Skin", "How much of folds, blush and pallor shows"],
+  motion: [
+    "By itself, skin",
+    "How much it moves by itself, also while its tracker is lost; how much of folds, blush and pallor shows",
+  ],
   gaze: ["Looks at", "Whom or what the eyes look at"],
   speech: ["Says", "A line to say, and gestures"],
 };
@@ -24,9 +26,9 @@ const LABELS: Readonly<Record<MixerGroup, readonly [string, string]>> = {
 const style = css`
   :host {
     display: grid;
-    grid-auto-rows: minmax(32px, 52px);
+    grid-auto-rows: minmax(34px, 52px);
     align-content: start;
-    gap: 3px;
+    gap: 4px;
     min-height: 0;
     overflow: auto;
     scrollbar-width: thin;
@@ -76,7 +78,7 @@ const style = css`
   }
   @media ${tight} {
     :host {
-      grid-template-columns: repeat(7, minmax(0, 1fr));
+      grid-template-columns: repeat(6, minmax(0, 1fr));
       grid-auto-rows: 44px;
       overflow: visible;
     }
@@ -86,7 +88,7 @@ const style = css`
   }
   @media ${narrow} {
     :host {
-      grid-template-columns: repeat(4, minmax(0, 1fr));
+      grid-template-columns: repeat(3, minmax(0, 1fr));
     }
   }
 `;
@@ -126,7 +128,6 @@ export class GroupHeads extends AnimatedElement {
     if (air === null || group === "strips") return { text: "all layers", wanted: false };
     if (group === "sources") return sourceWords(sources);
     if (group === "motion") return motionWords(air);
-    if (group === "skin") return skinWords(air);
     if (group === "gaze") return targetWords(air, state?.characters ?? {});
     if (group === "speech") return saysWords(air);
     const { text, wanted } = partWords(air, this.layer);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { CharacterState, SourceState } from "../../link/messages";
 import { AHEAD } from "../store/layer_state";
-import { motionWords, partWords, saysWords, skinWords, sourceWords, targetWords } from "./group_words";
+import { motionWords, partWords, saysWords, sourceWords, targetWords } from "./group_words";
 
 const source = (name: string, change: Partial<SourceState> = {}): SourceState =>
   ({ name, kind: "tracker", characters: ["one"], rate: 30, found: true, ...change }) as SourceState;
@@ -44,11 +44,6 @@ describe("the head of a group says", () => {
     expect(motionWords(idle).text).toBe("idles if lost");
     const layers = { breath: { source: "automatic" } } as unknown as CharacterState["layers"];
     expect(motionWords({ ...idle, layers })).toEqual({ text: "idles now", wanted: true });
-  });
-
-  test("how much of the skin's folds and blood shows", () => {
-    expect(skinWords(air()).text).toBe("folds 100, blood 100");
-    expect(skinWords(air({ skin: { folds: 0.25 } })).text).toBe("folds 25, blood 100");
   });
 
   test("at what it looks", () => {

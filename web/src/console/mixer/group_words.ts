@@ -1,6 +1,5 @@
 /** How things stand in each group of the mixer, in a few words: what its head says while another group is shown. */
 
-import { SKIN_FADERS } from "../../link/constants";
 import type { CharacterState, SourceState } from "../../link/messages";
 import { AHEAD, influenceOf, type LayerName, layerOf } from "../store/layer_state";
 import { sourceLabel } from "../store/source_label";
@@ -43,11 +42,6 @@ export function motionWords({ motion, layers }: CharacterState): GroupWords {
   if (motion.liveliness > 0) return groupWords(`liveliness ${percent(motion.liveliness)}`);
   if (motion.idle) return layers.breath?.source ? groupWords("idles now", true) : groupWords("idles if lost");
   return groupWords("holds still");
-}
-
-/** Skin: how much of it shows, in the order of its faders. */
-export function skinWords({ skin }: CharacterState): GroupWords {
-  return groupWords(SKIN_FADERS.map((fader) => `${fader} ${percent(skin?.[fader] ?? 1)}`).join(", "));
 }
 
 /** Looks at: the name of what it looks at. */

@@ -92,7 +92,6 @@ export class LayerPanel extends AnimatedElement {
     if (group === "sources") return this.#sources();
     if (group === "parts") return this.#parts();
     if (group === "motion") return html`<omote-motion-settings .context=${context}></omote-motion-settings>`;
-    if (group === "skin") return html`<omote-skin-settings .context=${context}></omote-skin-settings>`;
     if (group === "gaze") return html`<omote-gaze-target-settings .context=${context}></omote-gaze-target-settings>`;
     return group === "speech" ? html`<omote-speech-line .context=${context}></omote-speech-line>` : nothing;
   }

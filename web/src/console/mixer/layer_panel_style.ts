@@ -148,7 +148,7 @@ export const style = css`
   .none {
     color: var(--dim);
   }
-  .detail :is(omote-motion-settings, omote-skin-settings) {
+  .detail omote-motion-settings {
     max-width: 460px;
   }
   @media (max-height: 720px) {

@@ -1,13 +1,15 @@
-/** How much the character moves by itself: lids, eyes and the head that follows them, breath; what swings of it; and what its skin shows. */
+/** How much the character moves by itself: lids, eyes and the head that follows them, breath; what swings of it, and what its skin shows. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { SKIN_FADERS, SKIN_LIMIT, SPRINGS } from "../../link/constants";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
+import { AnimatedElement } from "../controls/console_element";
+import { otherStyle, paintOther } from "../controls/other_hand";
 import { type Knob, type MotionDetail, type SkinFader, type SpringName, STILL } from "../store/knob";
 import type { Topic } from "../store/page_store";
 import { GazeTargetCommands } from "./gaze_target_commands";
-import { SliderSettings, sliderStyle } from "./slider_settings";
 
 /** What each slider sets: its label, where it ends, and in words. */
 const SLIDERS: readonly (readonly [MotionDetail, string, number, string])[] = [
@@ -26,65 +28,103 @@ const SPRING_WORDS: Readonly<Record<SpringName, readonly [label: string, title: 
 };
 const MOST_SPRING = 2;
 
-const style = css`
-  .idle {
-    grid-column: 1 / -1;
-    min-height: 30px;
-  }
-  @media (pointer: coarse) {
-    .idle {
-      min-height: var(--finger);
-    }
-  }
-`;
-
-@customElement("omote-motion-settings")
-export class MotionSettings extends SliderSettings<MotionDetail | SpringName> {
-  static override styles = [base, ...sliderStyle, style];
-
-  protected override readonly topics: readonly Topic[] = ["manifest"];
-
-  override render() {
-    const springs = SPRINGS.filter((spring) => this.store.expressions.some(({ name }) => name === spring));
-    return html`${SLIDERS.map(([name, label, most, title]) => this.slider({ name, label, title, most, rest: STILL[name] }))}
-      <button class="idle" aria-pressed="false" @click=${this.#idle}
-        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>
-      ${springs.map((name) => this.slider({ name, label: SPRING_WORDS[name][0], title: SPRING_WORDS[name][1], most: MOST_SPRING, rest: 1 }))}`;
-  }
-
-  protected knob(name: MotionDetail | SpringName): Knob {
-    return name in SPRING_WORDS ? this.store.spring(name as SpringName) : this.store.motion(name as MotionDetail);
-  }
-
-  readonly #idle = (): void => {
-    new GazeTargetCommands(this.store).idle(!(this.store.air?.motion?.idle ?? false));
-  };
-
-  override paint(now: number): void {
-    super.paint(now);
-    const { air } = this.store;
-    if (air === null || this.offsetParent === null) return;
-    const idle = this.renderRoot.querySelector(".idle") as HTMLElement;
-    this.write.attribute(idle, "aria-pressed", String(air.motion?.idle ?? false));
-  }
-}
-
 /** What each fader of the skin is for. */
 const SKIN_WORDS: Readonly<Record<SkinFader, readonly [label: string, title: string]>> = {
   folds: ["Folds", "How deep skin folds where expressions press it together; deeper with age"],
   blood: ["Blush and pallor", "How much the skin reddens and pales with expressions; it follows in seconds"],
 };
 
-/** How much of what expressions do to the skin shows. */
-@customElement("omote-skin-settings")
-export class SkinSettings extends SliderSettings<SkinFader> {
-  static override styles = [base, ...sliderStyle];
+const style = css`
+  :host {
+    display: grid;
+    grid-template-columns: auto minmax(40px, 1fr) 28px;
+    align-items: center;
+    align-content: start;
+    gap: 2px 8px;
+    flex: none;
+    font-size: 12px;
+  }
+  .idle {
+    grid-column: 1 / -1;
+    min-height: 30px;
+  }
+  label {
+    display: contents;
+  }
+  .way {
+    position: relative;
+    display: grid;
+    min-height: 21px;
+  }
+  input[type="range"] {
+    width: 100%;
+  }
+  @media (pointer: coarse) {
+    .way,
+    .idle {
+      min-height: var(--finger);
+    }
+  }
+  .number {
+    text-align: right;
+    color: var(--dim);
+  }
+`;
+
+@customElement("omote-motion-settings")
+export class MotionSettings extends AnimatedElement {
+  static override styles = [base, style, otherStyle];
+
+  protected override readonly topics: readonly Topic[] = ["manifest"];
 
   override render() {
-    return html`${SKIN_FADERS.map((name) => this.slider({ name, label: SKIN_WORDS[name][0], title: SKIN_WORDS[name][1], most: SKIN_LIMIT, rest: 1 }))}`;
+    const springs = SPRINGS.filter((spring) => this.store.expressions.some(({ name }) => name === spring));
+    return html`${SLIDERS.map(([detail, label, most, title]) => this.#slider(detail, label, most, title))}
+      <button class="idle" aria-pressed="false" @click=${this.#idle}
+        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>
+      ${springs.map((spring) => this.#slider(spring, SPRING_WORDS[spring][0], MOST_SPRING, SPRING_WORDS[spring][1]))}
+      ${SKIN_FADERS.map((fader) => this.#slider(fader, SKIN_WORDS[fader][0], SKIN_LIMIT, SKIN_WORDS[fader][1]))}`;
   }
 
-  protected knob(name: SkinFader): Knob {
-    return this.store.skin(name);
+  #slider(name: Setting, label: string, most: number, title: string) {
+    const knob = (): Knob => this.#knob(name);
+    const rest = isSpring(name) || isOfSkin(name) ? 1 : STILL[name];
+    return html`<label title=${title}><span>${label}</span>
+      <span class="way"><input type="range" name=${name} min="0" max=${most} step="0.05"
+        @input=${(event: Event) => knob().grip(Number(textOf(event)))} @change=${() => knob().leave()}
+        @dblclick=${() => knob().nudge(rest)} /><span class="other"></span></span>
+      <span class="number"></span></label>`;
+  }
+
+  #knob(name: Setting): Knob {
+    if (isOfSkin(name)) return this.store.skin(name);
+    return isSpring(name) ? this.store.spring(name) : this.store.motion(name);
+  }
+
+  readonly #idle = (): void => {
+    new GazeTargetCommands(this.store).idle(!(this.store.air?.motion?.idle ?? false));
+  };
+
+  paint(now: number): void {
+    const { air } = this.store;
+    if (air === null || this.offsetParent === null) return;
+    const idle = this.renderRoot.querySelector(".idle") as HTMLElement;
+    this.write.attribute(idle, "aria-pressed", String(air.motion?.idle ?? false));
+    for (const input of this.renderRoot.querySelectorAll("input")) this.#paintSlider(input, now);
+  }
+
+  #paintSlider(input: HTMLInputElement, now: number): void {
+    const knob = this.#knob(input.name as Setting);
+    const value = knob.value(now);
+    if (!knob.gripped() && Number(input.value) !== value) input.value = String(value);
+    const [way, write] = [input.parentElement as HTMLElement, this.write];
+    write.text(way.nextElementSibling as HTMLElement, String(Math.round(100 * value)));
+    write.attribute(input, "aria-valuetext", `${Math.round(100 * value)} percent`);
+    paintOther(write, way.querySelector(".other") as HTMLElement, this.store, knob, now);
   }
 }
+
+type Setting = MotionDetail | SpringName | SkinFader;
+
+const isOfSkin = (name: Setting): name is SkinFader => name in SKIN_WORDS;
+const isSpring = (name: Setting): name is SpringName => name in SPRING_WORDS;

@@ -15,7 +15,7 @@ export type BankTab = Region | "touched" | "macros";
 export const VIEWS = ["palettes", "faders", "pads", "blend_pads", "scene", "layers"] as const;
 export type ConsoleView = (typeof VIEWS)[number];
 /** Which group of the mixer is shown; the strips stand beside the others where there is room. */
-export const MIXER_GROUPS = ["strips", "sources", "parts", "motion", "skin", "gaze", "speech"] as const;
+export const MIXER_GROUPS = ["strips", "sources", "parts", "motion", "gaze", "speech"] as const;
 export type MixerGroup = (typeof MIXER_GROUPS)[number];
 
 /** What the page of one person can show beside its pads, picture and cues: keys of memories, tiles of clips, the pad of the head. */
