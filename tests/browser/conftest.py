@@ -64,7 +64,7 @@ main()
 """
 
 NO_PICTURES = """{
-    const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
+    const other = (get) => function (kind, ...as) { return kind === "webgl2" ? null : get.call(this, kind, ...as); };
     const kinds = [HTMLCanvasElement, OffscreenCanvas];
     for (const { prototype } of kinds) prototype.getContext = other(prototype.getContext);
 }"""
