@@ -28,7 +28,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin src/omote/perform/blending/correctives.py -name "*.py" -o -name "*.toml")
 
-.PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests test-slow wheel-test format bench gallery docs wheel clean
+.PHONY: help demo test setup bake web check check-python check-web compiled browser tests tests-and-wheel browser-tests test-slow wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -83,11 +83,23 @@ $(CAST): $(CAST_FROM) | $(SHOW_PACKAGES)
 
 # ---- checks and tests
 
-# Checks need neither pages nor cast: they run beside their making, which waits for one core at a time.
-test: $(PACKAGES) $(MODULES)
-	@$(MAKE) --jobs=2 $(CAST) $(PAGES) check-python check-web
+# npm works beside pip where the system has Node. Checks need neither pages nor cast: they run beside their making, which
+# waits for one core at a time, and beside a browser that is fetched.
+test:
+	@$(MAKE) --jobs=2 $(PACKAGES) $(if $(filter yes,$(SYSTEM_NODE)),$(MODULES))
+	@$(MAKE) --jobs=3 browser $(CAST) $(PAGES) check-python check-web compiled
 	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
+
+# What three workers import at once each of them would compile, tests and kernels too: one does it for all.
+compiled: $(PACKAGES) $(CAST)
+	@echo "== Tests are compiled"
+	@$(RUN) -m pytest --collect-only -qq --override-ini="addopts=--import-mode=importlib" > .venv/collected.txt \
+		|| { cat .venv/collected.txt; exit 1; }
+	@$(RUN) -c "import omote; from omote.perform.blending.evaluate import warm; warm(omote.load_cast())"
+
+browser: $(PACKAGES)
+	@$(RUN) tools/browser.py
 
 check: check-python check-web
 
@@ -112,9 +124,8 @@ tests-and-wheel: setup
 	@echo "== Tests, those of the wheel among them"
 	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser" -m "not slow"
 
-browser-tests: setup
+browser-tests: setup browser
 	@echo "== Tests in a browser"
-	@$(RUN) tools/browser.py
 # What waits for a page that never comes there does so for minutes: three of them tell enough.
 	@$(PYTEST) --maxfail=3 tests/browser
 

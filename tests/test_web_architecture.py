@@ -51,12 +51,12 @@ USED: dict[str, str] = {
         "link ui face/pose face/quality face console/store console/controls console/show_file console/clips "
         "console/mappings"
     ),
-    "console/scene": "link ui console/store console/controls",
     "console/learn": (
         "link ui console/store console/controls console/devices console/mixer console/palette console/mappings "
         "console/pads"
     ),
     "console/cues": "link ui access console/store console/pads",
+    "console/scene": "link ui console/store console/controls console/cues",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
         "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips "

@@ -63,10 +63,11 @@ supervisor.PROGRAM = (sys.executable, "-c", {PATIENT_STANDBY!r})
 main()
 """
 
-NO_PICTURES = """
-const other = (get) => function (kind, ...rest) { return kind === "webgl2" ? null : get.call(this, kind, ...rest); };
-for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) prototype.getContext = other(prototype.getContext);
-"""
+NO_PICTURES = """{
+    const other = (get) => function (kind, ...as) { return kind === "webgl2" ? null : get.call(this, kind, ...as); };
+    const kinds = [HTMLCanvasElement, OffscreenCanvas];
+    for (const { prototype } of kinds) prototype.getContext = other(prototype.getContext);
+}"""
 
 KEEP = "for (const [key, text] of %s) localStorage.getItem(key) ?? localStorage.setItem(key, text);"
 
@@ -172,7 +173,9 @@ class Tabs:
         context = self.browser.new_context(device_scale_factor=scale, **options)
         context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
-        return Tab(page, context.new_cdp_session(page), scale)
+        tools = context.new_cdp_session(page)
+        tools.send("Page.enable")  # scripts that run before a page's own would else not run
+        return Tab(page, tools, scale)
 
     def give_back(self, tab: Tab, show: str) -> None:
         """Clears a tab for the next test; closes one that its test has closed, or that cannot leave its page."""

@@ -424,6 +424,7 @@ def test_a_whole_look_is_kept_by_a_press_and_called_by_a_key(console: Console) -
     page.get_by_role("button", name="Keep a memory").click()
     memory.click()
     expect(memory).to_have_attribute("aria-label", "Memory 1")
+    expect(memory.locator("canvas")).to_have_attribute("data-drawn", re.compile("^old "))
     page.locator("omote-palette.faces [data-name=dog]").click()
     page.locator("omote-lights [data-light=theatre]").click()
     wait_for(page, "state.face_call === null && state.faces.dog === 1 && desk.state.light.theatre === 1")

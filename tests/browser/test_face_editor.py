@@ -270,7 +270,7 @@ def test_a_look_is_chosen_by_pictures_kept_in_the_recipe_and_left_again(editor: 
     wait_for(page, f"{kept}?.hair_style === 'crop' && {kept}.hair === '#8f3b1e'")
     panel.locator("[data-hair=none]").click()
     wait_for(page, f"bench.face.look.hair_style === '' && bench.face.look.scalp === 0 && {SETTLED}")
-    panel.get_by_role("button", name="As its faces have it").first.click()
+    panel.get_by_role("button", name="as its faces have it").first.click()
     wait_for(page, f"!('hair_style' in bench.face.look) && bench.face.look.freckles === 0.8 && {SETTLED}")
     expect(panel.locator("[data-hair=bob]")).to_have_attribute("aria-pressed", "true")
 

@@ -278,8 +278,9 @@ def test_a_phone_on_its_side_reaches_every_part_and_says_what_a_panic_has_stoppe
     page.get_by_role("button", name="Sources on again").click()
     wait_until(page, f"{SOLO}.air.motion.liveliness === 0.4")
     expect(page.get_by_role("button", name="Still", exact=True)).to_have_attribute("aria-pressed", "false")
+    page.locator("[data-row=lines]").click()
     page.keyboard.press("z")
-    for target in ("/omote/go", "/omote/back", "/omote/black", "/omote/one/pad/mouth"):
+    for target in ("/omote/go", "/omote/back", "/omote/black", "/omote/one/pad/mouth", "/omote/one/stop_clip"):
         expect(page.locator(f".spot[data-to='{target}']")).to_be_visible()
     assert page.evaluate(CUT, "omote-solo") == []
     bar, picture = (page.get_by_label(name, exact=True).bounding_box() for name in ("Learn", "On air"))

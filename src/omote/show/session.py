@@ -28,6 +28,7 @@ from omote.show.declaration import (
 )
 from omote.show.executed_calls import ExecutedCalls
 from omote.show.mapping_learning import MappingLearning
+from omote.show.memory_list import MemoryListing, list_memories
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
@@ -142,6 +143,7 @@ class ShowSession:
             lambda said: self.lost.append(said),
         )
         self._pads = PadListing(self.scene.pads, cast)
+        self._memories = MemoryListing(self.scene.memories)
         self.texts = TextsToSpeak()
         self.mappings = ToldMappings(lambda: self.scene, lambda: self.cast)
         self.setups = set[str]()
@@ -478,7 +480,8 @@ class ShowSession:
         for source, route in taken.items():
             self.recorder.note_routed(source, route)
         pads = self._pads.news(self.scene.pads, self.cast, now)
-        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news(), pads)
+        memories = self._memories.news(self.scene.memories)
+        news_of_all = (self.clips.news(), self.mappings.news(), self.learning.news(), pads, memories)
         told = [each for message in news_of_all if message is not None for each in self.for_consoles(message)]
         outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
@@ -547,6 +550,8 @@ class ShowSession:
             lists.append(Outgoing(who, self.named_sounds.message()))
         if hello.role == "console" and self.scene.pads:
             lists.append(Outgoing(who, list_pads(self.scene.pads, self.cast)))
+        if hello.role == "console" and self.scene.memories:
+            lists.append(Outgoing(who, list_memories(self.scene.memories)))
         return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:

@@ -42,7 +42,7 @@ def test_a_binding_takes_the_place_of_the_one_that_it_replaces() -> None:
     second = ALL[4]
     third = ALL[8]
     bindings = EditableBindings([first, second, third])
-    changed = bindings.bind("a", Binding("pad", "9", JAW), replaces=second)
+    changed = bindings.bind("a", Binding("pad", "9", JAW), replaces=[second])
     assert changed.removed == (second,)
     assert bindings.own == (first, *changed.added, third)
 

@@ -1126,6 +1126,18 @@ export type DeleteMemory = { type: "delete_memory"; id: string; name: string; ke
 export type RestoreMemory = { type: "restore_memory"; id: string; key: string };
 
 /**
+ * A memory as its picture shows it. `goals`: of the faces and expressions of its characters, by part, as cues have
+ * them.
+ */
+export type MemoryState = { name: string; goals: Record<string, Record<string, number>> };
+
+/**
+ * What the memories of the show look like, in the order in which they came: complete, to consoles after the welcome
+ * and with each change. Their names alone stand in each state.
+ */
+export type MemoryList = { type: "memory_list"; memories: MemoryState[] };
+
+/**
  * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
  * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
  * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
@@ -2227,6 +2239,7 @@ export type FromServer =
   | Refused
   | Notices
   | Progress
+  | MemoryList
   | RecordingKept
   | SourceIs
   | Sources

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from omote.inputs.bindings.binding_file import MOST_BINDINGS
@@ -37,14 +37,14 @@ class EditableBindings:
             *(binding for binding in self.own if (binding.device, binding.control, binding.bank) not in taken),
         )
 
-    def bind(self, change: str, binding: Binding, replaces: Binding | None = None) -> BindingChange:
-        """Adds a binding in the place of `replaces` and of one of the same control and target; ValueError where a file
-        has fixed its control, or where there are too many.
+    def bind(self, change: str, binding: Binding, replaces: Collection[Binding] = ()) -> BindingChange:
+        """Adds a binding in the place of those that it `replaces` and of one of the same control and target; ValueError
+        where a file has fixed its control, or where there are too many.
 
         change: the id by which it can be taken back.
         """
         self._check_free(binding)
-        gone = tuple(own_binding for own_binding in self.own if own_binding == replaces or _same(own_binding, binding))
+        gone = tuple(own_binding for own_binding in self.own if own_binding in replaces or _same(own_binding, binding))
         return self._make(change, BindingChange((binding,), gone))
 
     def unbind(self, change: str, binding: Binding) -> BindingChange:

@@ -70,7 +70,7 @@ class BindingCommands:
         """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
         match message:
             case Bind(change, binding, replaces):
-                before = None if replaces is None else read_document(replaces)
+                before = [] if replaces is None else [read_document(replaces)]
                 outcome = self.editable.bind(change, read_document(binding), before)
             case Unbind(change, binding):
                 outcome = self.editable.unbind(change, read_document(binding))
@@ -117,7 +117,8 @@ class BindingCommands:
 
     def greet(self, device: str, kind: str) -> Preset | None:
         """The preset of a device that is plugged in: the one that it was given; at its first time, where nothing is
-        bound on it, the one that is made for it, which pages are to be told (`take_loaded`).
+        bound on it, the one that is made for it, which pages are to be told (`take_loaded`). Levels that somebody has
+        bound to another device are left to that.
 
         kind: midi, gamepad or space_mouse.
         """
@@ -126,7 +127,13 @@ class BindingCommands:
             bound = any(binding.device == device for binding in self.editable.playing)
             self.presets[device] = preset.name if preset else ""
             if preset and not bound:
-                outcome = self.editable.give(f"preset {device}", device, preset.bindings(device, ALL))
+                chosen = {_played(each) for each in self.editable.playing if not self._is_of_preset(each)}
+                wanted = [
+                    binding
+                    for binding in preset.bindings(device, ALL)
+                    if not (binding.target.is_level and _played(binding) in chosen)
+                ]
+                outcome = self.editable.give(f"preset {device}", device, wanted)
                 changed = self._changed(f"preset {device}", outcome)
                 self._loaded.append(msgspec.structs.replace(changed, preset=preset.label))
         return PRESETS.get(self.presets[device])
@@ -149,14 +156,31 @@ class BindingCommands:
             self.learner = Learner(who, name, asked, Learning(target, now, asked.bank))
 
     def hear(self, readings: list[Reading]) -> tuple[str, BindingsChanged] | None:
-        """What is learned from readings, and for whom; None while nothing is. ValueError where it cannot be bound."""
+        """What is learned from readings, and for whom; None while nothing is. ValueError where it cannot be bound. What
+        the preset of the device has bound to the same control, or lets another control of it play, makes way."""
         learner = self.learner
         learned = None if learner is None else learner.learning.hear(readings)
         if learner is None or learned is None:
             return None
         self.learner = None
         self.number += 1
-        return learner.who, self._changed(learner.asked.id, self.editable.bind(learner.asked.id, learned))
+        change = self.editable.bind(learner.asked.id, learned, self._making_way(learned))
+        return learner.who, self._changed(learner.asked.id, change)
+
+    def _making_way(self, learned: Binding) -> list[Binding]:
+        """The bindings that nobody has chosen and that play beside one that is learned."""
+        return [
+            binding
+            for binding in self.editable.own
+            if (binding.device, binding.bank) == (learned.device, learned.bank)
+            and (binding.control == learned.control or _played(binding) == _played(learned))
+            and self._is_of_preset(binding)
+        ]
+
+    def _is_of_preset(self, binding: Binding) -> bool:
+        """Whether a binding is as the preset of its device has it."""
+        preset = PRESETS.get(self.presets.get(binding.device, ""))
+        return preset is not None and binding in preset.bindings(binding.device, binding.target.character)
 
     def pass_time(self, now: float) -> None:
         """Ends learning that has gone on for too long."""
@@ -189,6 +213,13 @@ class BindingCommands:
         if self._reader is not None:
             self.missing = list_missing(self.editable.playing, self._reader, self._pads)
         self._keep(encode_stored(self.editable.own, self.presets))
+
+
+def _played(binding: Binding) -> tuple[object, ...]:
+    """What a binding plays, of whichever character, in whichever time."""
+    target = binding.target
+    path = target.path.replace(f"/{target.character}/", "/*/", 1) if target.character else target.path
+    return path, target.axis, target.arguments[:1]
 
 
 def _documents(bindings: tuple[Binding, ...]) -> list[BindingDocument]:

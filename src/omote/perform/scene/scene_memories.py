@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import check_call_seconds, check_known
@@ -18,6 +20,11 @@ class SceneMemories(SceneGoals):
     """The memories of a scene: its whole look under a name, as it shows, and back in one breath."""
 
     _memories: Memories
+
+    @property
+    def memories(self) -> Mapping[str, Memory]:
+        """The looks that were kept, by name: another mapping after each change."""
+        return self._memories.kept
 
     def keep_memory(self, name: str, *, key: str = "") -> None:
         """Keeps what shows under a name: faces, expressions, head and gaze of all characters, light and framing.

@@ -11,7 +11,17 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.memories import LONGEST_MEMORY_NAME
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import CallId, ClientMessage, Name, OptionalCallId, Outgoing, SceneCommand, Seconds, Session
+from omote.show.declaration import (
+    CallId,
+    ClientMessage,
+    Name,
+    OptionalCallId,
+    Outgoing,
+    SceneCommand,
+    Seconds,
+    ServerMessage,
+    Session,
+)
 from omote.show.osc import PRESS, Value, osc
 
 MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY_NAME), Value("text")]
@@ -90,3 +100,18 @@ class RestoreMemory(SceneCommand, frozen=True):
     def change(self, scene: Scene) -> None:
         """Changes the scene."""
         scene.restore_memory(self.key)
+
+
+class MemoryState(msgspec.Struct, frozen=True):
+    """A memory as its picture shows it. `goals`: of the faces and expressions of its characters, by part, as cues have
+    them."""
+
+    name: str
+    goals: dict[str, dict[str, float]]
+
+
+class MemoryList(ServerMessage, frozen=True):
+    """What the memories of the show look like, in the order in which they came: complete, to consoles after the welcome
+    and with each change. Their names alone stand in each state."""
+
+    memories: list[MemoryState]

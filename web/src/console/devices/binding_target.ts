@@ -50,6 +50,10 @@ export const memoryTarget = (name: string, seconds: number): Target => ({
   arguments: [name, seconds],
 });
 
+/** A clip that is played, and the end of all that are. */
+export const clipTarget = (who: string, name: string): Target => ({ ...moved(who, "clip"), arguments: [name] });
+export const stopClipsTarget = (who: string): Target => moved(who, "stop_clip");
+
 /** How black all stages are: a fader's, or a key's that makes a blackout. */
 export const BLACK_TARGET: Target = { to: `${ROOT}/black`, axis: "", arguments: [] };
 

@@ -13,6 +13,7 @@ import {
   callTarget,
   channelTarget,
   characterOf,
+  clipTarget,
   directionTarget,
   GO_TARGET,
   layerTarget,
@@ -21,6 +22,7 @@ import {
   memoryTarget,
   padTarget,
   panicTarget,
+  stopClipsTarget,
   type Target,
   targetKey,
   whoOf,
@@ -83,6 +85,10 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
       const { axis } = element as Palette;
       return [[".tile", (tile) => [callTarget(who, axis, tile.dataset.name ?? "", store.callSeconds(axis))]]];
     },
+    "omote-clip-tiles": (_, __, who) => [
+      ["[data-name]", (tile) => [clipTarget(who, tile.dataset.name ?? "")]],
+      [".stop", () => [stopClipsTarget(who)]],
+    ],
     "omote-lights": (_, store) => [
       ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
       [".black", () => [BLACK_TARGET]],
@@ -108,11 +114,10 @@ export function findControls(root: ParentNode, store: ConsoleStore): BindableCon
     const inside = element.shadowRoot;
     const parts = PARTS[element.localName];
     if (inside === null) continue;
-    if (parts === undefined) controls.push(...findControls(inside, store));
-    else
-      for (const [selector, read, travel = null] of parts(element, store, who))
-        for (const part of inside.querySelectorAll<HTMLElement>(selector))
-          controls.push({ element: part, targets: read(part), travel });
+    for (const [selector, read, travel = null] of parts?.(element, store, who) ?? [])
+      for (const part of inside.querySelectorAll<HTMLElement>(selector))
+        controls.push({ element: part, targets: read(part), travel });
+    controls.push(...findControls(inside, store));
   }
   return controls;
 }

@@ -15,7 +15,10 @@ const LABELS: Readonly<Record<MixerGroup, readonly [string, string]>> = {
   strips: ["Mix", "A fader for each layer"],
   sources: ["Sources", "What sends a face, whom it plays and in which parts, how it is read"],
   parts: ["By part", "How much of the chosen layer shows in each part"],
-  motion: ["By itself", "How much the character moves by itself, and whether it does while its tracker is lost"],
+  motion: [
+    "By itself, skin",
+    "How much it moves by itself, also while its tracker is lost; how much of folds, blush and pallor shows",
+  ],
   gaze: ["Looks at", "Whom or what the eyes look at"],
   speech: ["Says", "A line to say, and gestures"],
 };

@@ -1,7 +1,7 @@
 import { beforeEach, expect, it } from "vitest";
-import type { FromClient, State } from "../../link/messages";
+import type { FromClient, Manifest, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
-import { MemoryCommands, placesOf } from "./memory_commands";
+import { MemoryCommands, pictureOf, placesOf } from "./memory_commands";
 
 let sent: FromClient[];
 let store: ConsoleStore;
@@ -12,7 +12,7 @@ const show = (...memories: string[]): void => {
     ...{ presence: 1, panics: 0, regions: {}, channels: {}, layers: {}, motion: null, held: null },
     ...{ face_call: null, expression_call: null, home_face: "generic" },
   };
-  store.receive({ type: "state", characters: { one }, memories } as unknown as State);
+  store.receive({ type: "state", characters: { one, two: one }, memories } as unknown as State);
 };
 const taken = (): FromClient[] => {
   store.flush();
@@ -64,4 +64,19 @@ it("what was kept or deleted is taken back and done again by its key", () => {
   ]);
   store.redo();
   expect(taken()).toMatchObject([{ type: "restore_memory", key: keep?.key }]);
+});
+
+it("a picture shows who is played, at the looks that show most, by their names in the cast", () => {
+  expect(pictureOf(store, "2")).toBe(null);
+  const [faces, expressions] = [[{ name: "old", source: "old" }], [{ name: "crooked", source: "crooked@3" }]] as const;
+  store.setManifest({ faces, expressions, lights: [] } as unknown as Manifest);
+  const goals = {
+    "two/face": { dog: 1 },
+    "one/face": { old: 0.6, kaori: 0.4 },
+    "one/expression": { smile: 0.3, crooked: 0.7 },
+  };
+  store.receive({ type: "memory_list", memories: [{ name: "2", goals }] });
+  expect(pictureOf(store, "2")).toEqual({ face: "old", expression: "crooked@3" });
+  store.play(["two"]);
+  expect(pictureOf(store, "2")).toEqual({ face: "dog", expression: "neutral" });
 });

@@ -1,6 +1,8 @@
 /** Memories as an operator has them: nine places on keys, and those that programs and surfaces have named. */
 
 import { randomId } from "../../ui/browser_storage";
+import type { ThumbnailSubject } from "../../ui/thumbnails";
+import { lookOf } from "../cues/tracked_looks";
 import type { ConsoleStore } from "../store/console_store";
 import type { Step } from "../store/undo_history";
 
@@ -15,6 +17,23 @@ export const placesOf = (kept: readonly string[]): readonly string[] => [
   ...PLACES,
   ...kept.filter((name) => !PLACES.includes(name)),
 ];
+
+/**
+ * What the picture of a memory shows: the face and the expression that show most of it, of who is played here, else of the
+ * first whom it has; null where nothing is told of it.
+ */
+export function pictureOf(store: ConsoleStore, name: string): ThumbnailSubject | null {
+  const memory = store.newest("memory_list")?.memories.find((each) => each.name === name);
+  if (memory === undefined) return null;
+  const characters = Object.keys(memory.goals).map((part) => part.slice(0, part.lastIndexOf("/")));
+  const who = store.played.names.find((each) => characters.includes(each)) ?? characters[0];
+  if (who === undefined) return null;
+  const home = store.state?.characters[who]?.home_face ?? "generic";
+  const { face, expression } = lookOf(memory.goals, who, home, store.newest("pad_list")?.pads ?? []);
+  const source = (axis: "face" | "expression", named: string): string =>
+    (axis === "face" ? store.faces : store.expressions).find((each) => each.name === named)?.source ?? named;
+  return { face: source("face", face), expression: source("expression", expression) };
+}
 
 export class MemoryCommands {
   constructor(private readonly store: ConsoleStore) {}

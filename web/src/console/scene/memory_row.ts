@@ -1,13 +1,14 @@
 /** The row of memories: whole looks that are kept by a press and called by another. */
 
-import { css, html } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { css, html, nothing } from "lit";
+import { customElement, query, queryAll, state } from "lit/decorators.js";
 import { base, ellipsis, flow } from "../../ui/theme";
+import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { hearWhileShown } from "../../ui/topic_element";
 import { ConsoleElement } from "../controls/console_element";
 import { short } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
-import { MemoryCommands, type MemoryPress, PLACES, placesOf } from "./memory_commands";
+import { MemoryCommands, type MemoryPress, PLACES, pictureOf, placesOf } from "./memory_commands";
 
 const style = css`
   .row {
@@ -30,6 +31,32 @@ const style = css`
     padding: 0 3px;
     ${ellipsis}
   }
+  button.kept {
+    position: relative;
+    padding: 0;
+    background: #000;
+  }
+  button.named {
+    min-width: 72px;
+  }
+  canvas {
+    display: block;
+    height: var(--picture, 30px);
+    aspect-ratio: ${THUMBNAIL_SIZE.width} / ${THUMBNAIL_SIZE.height};
+    margin: 0 auto;
+  }
+  .kept > span {
+    position: absolute;
+    inset: 1px auto auto 1px;
+    max-width: calc(100% - 2px);
+    padding: 0 3px;
+    font-size: 11px;
+    line-height: 14px;
+    border-radius: 3px;
+    color: var(--text);
+    background: #000c;
+    ${ellipsis}
+  }
   button.empty {
     color: var(--dim);
     border-style: dashed;
@@ -37,6 +64,10 @@ const style = css`
   }
   .means {
     flex: 0 0 auto;
+    order: -1; /* where the row scrolls they are in sight */
+  }
+  .row > span {
+    order: -2;
   }
   .means[aria-pressed="true"],
   .asked button:not(.means) {
@@ -59,8 +90,8 @@ const style = css`
     button {
       min-width: 40px;
     }
-    .means {
-      order: -1; /* where the row scrolls they are in sight */
+    :host {
+      --picture: 38px;
     }
   }
 `;
@@ -73,11 +104,12 @@ export class MemoryRow extends ConsoleElement {
   /** Whether there are memories to the right of what is in sight. */
   @state() private goesOn = false;
   @query(".row") private row!: HTMLElement;
+  @queryAll("canvas") private pictures!: NodeListOf<HTMLCanvasElement>;
   #shown = "";
 
   static override styles = [base, style];
 
-  protected override readonly topics: readonly Topic[] = ["state"];
+  protected override readonly topics: readonly Topic[] = ["state", "memory_list", "pad_list", "manifest", "characters"];
 
   constructor() {
     super();
@@ -87,9 +119,9 @@ export class MemoryRow extends ConsoleElement {
   }
 
   /** States come sixty times a second. */
-  protected override changed(): void {
+  protected override changed(topic: Topic): void {
     const shown = JSON.stringify(this.#commands.kept);
-    if (shown !== this.#shown) this.requestUpdate();
+    if (topic !== "state" || shown !== this.#shown) this.requestUpdate();
     this.#shown = shown;
   }
 
@@ -117,6 +149,11 @@ export class MemoryRow extends ConsoleElement {
 
   override updated(): void {
     this.#hint();
+    for (const canvas of this.pictures) {
+      const subject = pictureOf(this.store, canvas.dataset.of ?? "");
+      canvas.style.visibility = subject === null ? "hidden" : "";
+      if (subject !== null) this.context.thumbnails.ask(canvas, subject);
+    }
   }
 
   /** Fades what goes on to the right: scroll bars are hidden on tablets until they are used. */
@@ -141,8 +178,12 @@ export class MemoryRow extends ConsoleElement {
 
   #key(name: string, there: boolean) {
     const [key, does] = [PLACES.includes(name) ? ` (Shift ${name})` : "", DOES[this.means]];
-    return html`<button class=${there ? "" : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
-      title="${does} ${name}${key}" @click=${() => this.press(name)}>${name}</button>`;
+    return html`<button class=${there ? (key === "" ? "kept named" : "kept") : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
+      title="${does} ${name}${key}" @click=${() => this.press(name)}>${
+        there
+          ? html`<canvas data-of=${name} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>`
+          : nothing
+      }<span>${name}</span></button>`;
   }
 }
 

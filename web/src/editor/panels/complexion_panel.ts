@@ -36,7 +36,7 @@ export class ComplexionPanel extends EditorElement {
       <p>What this expression adds to the blood in the skin: 100 % is a strong flush, below 0 the skin pales. On air it follows
         in seconds, sweat in half a minute. Tears and beads of sweat run from 50 % on.</p>
       ${PARTS.map((part, at) => this.#slider(part, at))}
-      <button @click=${() => this.#send([0, 0, 0, 0, 0, 0, 0])}>As at rest</button>
+      <button ?disabled=${this.store.liveComplexion.every((value) => value === 0)} @click=${() => this.#send([0, 0, 0, 0, 0, 0, 0])}>As at rest</button>
     `;
   }
 

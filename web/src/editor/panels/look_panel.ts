@@ -40,6 +40,25 @@ const style = css`
     padding: 2px;
     font-size: 11px;
   }
+  .head {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    min-height: 30px;
+  }
+  .head button:disabled {
+    visibility: hidden;
+  }
+  .colour {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 4px;
+  }
+  .colour > span {
+    flex-basis: 100%;
+    font-size: 12.5px;
+    color: var(--dim);
+  }
   .swatch {
     min-width: 26px;
     min-height: 26px;
@@ -56,6 +75,9 @@ const style = css`
     background: none;
   }
 `;
+
+/** What of a look is its hair. */
+const HAIR = ["hair_style", "scalp", "hair"];
 
 /** What a face looks like, part by part; what is not chosen is as its faces bring it. */
 @customElement("omote-look")
@@ -107,7 +129,7 @@ export class LookPanel extends EditorElement {
     if (this.store.face === null) return nothing;
     return html`
       ${(this.baked?.albedo ?? "") === "" ? nothing : html`<p class="note">A picture lies on this skin: it hides the colours of skin, lips and brows below.</p>`}
-      <h2>Hair</h2>
+      ${this.#heading("Hair", HAIR)}
       <div class="tiles" role="group" aria-label="Hair style">${["", ...this.#styles].map((name) => this.#style(name))}</div>
       ${LOOK_PARTS.map((part) => this.#part(part))}
     `;
@@ -127,22 +149,22 @@ export class LookPanel extends EditorElement {
   }
 
   #part({ title, colours, traits }: LookPart) {
-    const names = [
-      ...colours.map(({ name }) => name),
-      ...traits.map(({ name }) => name),
-      ...(title === "" ? ["hair_style", "scalp"] : []),
-    ];
-    const chosen = names.some((name) => name in (this.store.face?.look ?? {}));
-    const what = title === "" ? "hair" : title.toLowerCase();
-    return html`${title === "" ? nothing : html`<h2>${title}</h2>`}
+    const names = [...colours, ...traits].map(({ name }) => name);
+    return html`${title === "" ? nothing : this.#heading(title, names)}
       ${colours.map(({ name, label, kind }) => this.#colour(name, label, COLOURS[kind]))}
-      ${traits.map((trait) => this.#amount(trait))}
-      ${chosen ? html`<button @click=${() => this.#leave(names, `${what} of its faces`)}>As its faces have it</button>` : nothing}`;
+      ${traits.map((trait) => this.#amount(trait))}`;
+  }
+
+  /** The name of a part, and what takes back what was chosen of it: there always, so that nothing moves under a finger. */
+  #heading(title: string, names: readonly string[]) {
+    const isChosen = names.some((name) => name in (this.store.face?.look ?? {}));
+    return html`<div class="head"><h2>${title}</h2><button class="quiet" ?disabled=${!isChosen} aria-label="${title} as its faces have it"
+      title="Takes back what was chosen of it" @click=${() => this.#leave(names, `${title.toLowerCase()} of its faces`)}>As its faces</button></div>`;
   }
 
   #colour(name: string, label: string, swatches: readonly (readonly [string, string])[]) {
     const now = this.#value(name);
-    return html`<div class="row" role="group" aria-label=${label} data-colour=${name}>
+    return html`<div class="colour" role="group" aria-label=${label} data-colour=${name}><span aria-hidden="true">${label}</span>
       ${swatches.map(
         ([colour, called]) => html`<button class="swatch" style="background: ${colour}" title="${label}: ${called}"
           aria-label="${label}: ${called}" aria-pressed=${now === colour}
