@@ -1,6 +1,6 @@
 """The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
-cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
+cast.npz, figures.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
 (tools/bake.py).
 """
 
@@ -19,16 +19,19 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
+from omote.builtin.figurefile import figures_of
+from omote.model.body.figures import Figures
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
-__all__ = ["BakedMesh", "load_cast", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
+__all__ = ["BakedMesh", "load_cast", "load_figures", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 
 HERE = Path(__file__).parent
 CAST = HERE / "cast.npz"
 MASK = HERE / "mask.png"
+FIGURES = HERE / "figures.npz"
 NOTICE = HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
@@ -75,6 +78,15 @@ def load_meshes() -> tuple[BakedMesh, ...]:
         return meshes_of(_arrays(CAST))
     except KeyError as error:
         raise _broken(CAST, error) from error
+
+
+@functools.cache
+def load_figures() -> Figures:
+    """The bodies of the built-in cast, one mesh with its heads; errors as `load_cast`."""
+    try:
+        return figures_of(_arrays(FIGURES))
+    except (KeyError, ValueError) as error:
+        raise _broken(FIGURES, error) from error
 
 
 @functools.cache

@@ -6,7 +6,7 @@ Arrays, V rows of the head, B of the body, J bones:
     about                  JSON text as bytes: bones [name], bodies [name]
     parents (J,)           of the bones           triangles (t, 3)         of the body
     head_rows, rim         numbers                edge (e,)                rows of the head
-    bones, weights (V + B, 8)                     of 65535
+    bones, weights (V + B, 8), shares (V + B,)    weights of 65535, shares of 255
     joined (n,), join (n, e)                      head_joint (h,), head_joint_offset (3,)
     uvs (k, 2), uv_rows (t, 3)
     body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3): in steps of a metre, int16; size
@@ -45,6 +45,7 @@ def figures_of(arrays: Arrays) -> Figures:
         skeleton=Skeleton(tuple(about["bones"]), arrays["parents"]),
         bones=arrays["bones"].astype(np.int32),
         weights=(weights / weights.sum(axis=1, keepdims=True)).astype(np.float32),
+        shares=arrays["shares"].astype(np.float32) / np.iinfo(np.uint8).max,
         edge=arrays["edge"],
         rim=int(arrays["rim"]),
         joined=arrays["joined"],

@@ -29,6 +29,9 @@ class FigureSpace:
         J bones.
     bones, weights : (V + B, 8) of int and float
         Which bones move a row, and how much each: they sum to one.
+    shares : (V + B,) of float
+        How much of a row's move dual quaternions make (`omote.geometry.skinning`): none where limbs part from the
+        trunk, all of it elsewhere.
     edge : (e,) of int
         Rows of the head at which it meets the body: first the rim, which the body's triangles share, then the ring
         of the head above it.
@@ -53,6 +56,7 @@ class FigureSpace:
     skeleton: Skeleton
     bones: Indices
     weights: Floats
+    shares: Floats
     edge: Indices
     rim: int
     joined: Indices
@@ -73,7 +77,7 @@ class FigureSpace:
             raise ValueError("the weights of a figure's rows do not sum to one")
         if self.join.shape != (len(self.joined), len(self.edge)):
             raise ValueError(f"the join is {self.join.shape}; expected ({len(self.joined)}, {len(self.edge)})")
-        for name in ("triangles", "bones", "weights", "edge", "joined", "join", "head_joint", "uvs", "uv_rows"):
+        for name in ("triangles", "bones", "weights", "shares", "edge", "joined", "join", "head_joint", "uvs", "uv_rows"):
             freeze(getattr(self, name))
 
     @property
