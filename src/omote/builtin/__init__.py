@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
-from omote.builtin.figurefile import figures_of
+from omote.builtin.figurefile import figures_of, read_poses
 from omote.model.body.figures import Figures
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import PEOPLE
@@ -32,6 +32,7 @@ HERE = Path(__file__).parent
 CAST = HERE / "cast.npz"
 MASK = HERE / "mask.png"
 FIGURES = HERE / "figures.npz"
+POSES = HERE / "poses.toml"
 NOTICE = HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
@@ -84,7 +85,7 @@ def load_meshes() -> tuple[BakedMesh, ...]:
 def load_figures() -> Figures:
     """The bodies of the built-in cast, one mesh with its heads; errors as `load_cast`."""
     try:
-        return figures_of(_arrays(FIGURES))
+        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()))
     except (KeyError, ValueError) as error:
         raise _broken(FIGURES, error) from error
 

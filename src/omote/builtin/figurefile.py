@@ -15,15 +15,18 @@ Arrays, V rows of the head, B of the body, J bones:
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
+from omote.model.body.pose import STAND, Pose
+from omote.model.body.pose_recipe import PoseRecipe, pose_of
 from omote.model.body.skeleton import Skeleton
 
 FIGURE_FORMAT = 1
@@ -33,8 +36,11 @@ PLACES = ("positions", "edge", "joints", "ends")
 Arrays = Mapping[str, NDArray[Any]]
 
 
-def figures_of(arrays: Arrays) -> Figures:
-    """The figures that the arrays hold; ValueError or KeyError where they are not of this version."""
+def figures_of(arrays: Arrays, recipes: Iterable[PoseRecipe]) -> Figures:
+    """The figures that the arrays hold; ValueError or KeyError where they are not of this version.
+
+    arrays: of figures.npz; recipes: of the poses beside the stand.
+    """
     if int(arrays["format"]) != FIGURE_FORMAT:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads format {FIGURE_FORMAT}")
     about = json.loads(arrays["about"].tobytes())
@@ -55,7 +61,18 @@ def figures_of(arrays: Arrays) -> Figures:
         uvs=arrays["uvs"],
         uv_rows=arrays["uv_rows"],
     )
-    return Figures(space, {name: _body(arrays, name) for name in about["bodies"]})
+    return Figures(space, {name: _body(arrays, name) for name in about["bodies"]}, _poses(recipes, space))
+
+
+def read_poses(text: bytes) -> list[PoseRecipe]:
+    """The poses of a TOML text, a table `pose` for each; ValueError where it holds something else."""
+    return msgspec.toml.decode(text, type=dict[Literal["pose"], list[PoseRecipe]])["pose"]
+
+
+def _poses(recipes: Iterable[PoseRecipe], space: FigureSpace) -> dict[str, Pose]:
+    """The stand first, then all others."""
+    stand = Pose(STAND, np.zeros((len(space.skeleton.names), 3)))
+    return {STAND: stand} | {recipe.name: pose_of(recipe, space.skeleton) for recipe in recipes}
 
 
 def _body(arrays: Arrays, name: str) -> Body:

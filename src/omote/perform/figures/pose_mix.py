@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from omote.arrays import Values
+from omote.arrays import Mask, Values
 from omote.model.body.pose import Pose
+from omote.model.body.pose_regions import PoseRegion
 from omote.perform.mix import Weights
 
 
@@ -22,17 +23,23 @@ class MixedPose:
     feet_turns: Values
 
 
-def mix_poses(poses: Mapping[str, Pose], weights: Weights) -> MixedPose:
-    """The sum of poses by their weights.
+def mix_poses(
+    poses: Mapping[str, Pose], weights: Weights, regions: Mapping[PoseRegion, Weights], bones: Mapping[PoseRegion, Mask]
+) -> MixedPose:
+    """The sum of poses by their weights; regions that show another mix have theirs.
 
     Rotation vectors are summed, not turned along the shortest way: a sum of two poses never leaves the box of a joint's
     angles in which both lie, and an arm does not swing through the side that shoulders forbid.
 
-    poses: by name; weights: by name, of those that weigh something.
+    poses: by name; weights: by name, of those that weigh something; regions: the weights of each that has its own;
+    bones: which belong to each region (`region_bones`).
     """
-    mixed = [(weight, poses[name]) for name, weight in weights.items()]
-    return MixedPose(*(_sum(mixed, what) for what in ("turns", "travel", "feet", "feet_turns")))
+    turns = _sum(poses, weights, "turns")
+    for region, own in regions.items():
+        turns[bones[region]] = _sum(poses, own, "turns")[bones[region]]
+    standing = regions.get("stance", weights)
+    return MixedPose(turns, *(_sum(poses, standing, what) for what in ("travel", "feet", "feet_turns")))
 
 
-def _sum(mixed: list[tuple[float, Pose]], what: str) -> Values:
-    return np.asarray(sum(weight * getattr(pose, what) for weight, pose in mixed))
+def _sum(poses: Mapping[str, Pose], weights: Weights, what: str) -> Values:
+    return np.asarray(sum(weight * getattr(poses[name], what) for name, weight in weights.items()))
