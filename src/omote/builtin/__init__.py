@@ -69,7 +69,7 @@ def load_cast() -> Cast:
     ----------
     docs/conventions.md for units and axes; the meshes are CC0, see the notice beside the cast.
     """
-    return read_cast(CAST)
+    return replace(read_cast(CAST), figures=load_figures())
 
 
 @functools.cache
