@@ -156,4 +156,6 @@ class Recast:
         self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
         self.titles = cast.titles
         self.face_labels = cast.face_labels
+        self.poses = cast.poses
+        self.bodies = cast.bodies
         self.digest = digest

@@ -48,7 +48,9 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(SPRINGS) + len(GROOMS) + len(FIGURES) + 5
+STEPS = (
+    FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(SPRINGS) + len(GROOMS) + len(FIGURES) + 5
+)
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
@@ -112,7 +114,10 @@ def main() -> int:
         print(f"The cast was not baked: {error}", file=sys.stderr)
         return 1
     sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
-    print(f"{FACES} faces, {STEPS - FACES - len(GROOMS) - len(FIGURES) - 4} expressions, {len(GROOMS)} hair styles: {sizes}")
+    print(
+        f"{FACES} faces, {STEPS - FACES - len(GROOMS) - len(FIGURES) - 4} expressions, {len(GROOMS)} hair styles, "
+        f"{len(FIGURES)} bodies: {sizes}"
+    )
     return 0
 
 

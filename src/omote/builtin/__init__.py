@@ -1,7 +1,7 @@
 """The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
-cast.npz, figures.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
-(tools/bake.py).
+cast.npz, figures.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by
+`make bake` (tools/bake.py).
 """
 
 from __future__ import annotations
@@ -26,7 +26,16 @@ from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
-__all__ = ["BakedMesh", "load_cast", "load_figures", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
+__all__ = [
+    "BakedMesh",
+    "load_cast",
+    "load_figures",
+    "load_head_kinds",
+    "load_identity_modes",
+    "load_mask",
+    "load_meshes",
+    "read_cast",
+]
 
 HERE = Path(__file__).parent
 CAST = HERE / "cast.npz"

@@ -51,7 +51,7 @@ def figures_of(arrays: Arrays, recipes: Iterable[PoseRecipe]) -> Figures:
         skeleton=Skeleton(tuple(about["bones"]), arrays["parents"]),
         bones=arrays["bones"].astype(np.int32),
         weights=(weights / weights.sum(axis=1, keepdims=True)).astype(np.float32),
-        shares=arrays["shares"].astype(np.float32) / np.iinfo(np.uint8).max,
+        shares=(arrays["shares"] / np.float32(np.iinfo(np.uint8).max)).astype(np.float32),
         edge=arrays["edge"],
         rim=int(arrays["rim"]),
         joined=arrays["joined"],
@@ -76,5 +76,5 @@ def _poses(recipes: Iterable[PoseRecipe], space: FigureSpace) -> dict[str, Pose]
 
 
 def _body(arrays: Arrays, name: str) -> Body:
-    places = {what: arrays[f"body/{name}/{what}"].astype(np.float32) / STEPS_OF_A_METRE for what in PLACES}
+    places = {what: (arrays[f"body/{name}/{what}"] / STEPS_OF_A_METRE).astype(np.float32) for what in PLACES}
     return Body(name, **places, size=float(arrays[f"body/{name}/size"]))

@@ -36,7 +36,21 @@ CHECKS: Mapping[str, Callable[[str], str]] = {
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
-NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character", "spring", "skin")
+NAMED = (
+    "face",
+    "expression",
+    "channel",
+    "light",
+    "gesture",
+    "layer",
+    "region",
+    "character",
+    "spring",
+    "skin",
+    "pose",
+    "pose_region",
+    "body",
+)
 """What is called by a name."""
 BUTTON = (0.0, 1.0)
 """What a button sends, as decimals or true and false: where the number of a cue may be left out it is let go or

@@ -14,11 +14,19 @@ import msgspec
 
 from omote.show import cast_documents, objects
 from omote.show.access.access_documents import ACCESS_DOCUMENTS
-from omote.show.cast_documents import CompoundAsset, ContentAsset, FaceAsset, HairAsset, Manifest
+from omote.show.cast_documents import (
+    BodyAsset,
+    CompoundAsset,
+    ContentAsset,
+    FaceAsset,
+    FigureAsset,
+    HairAsset,
+    Manifest,
+)
 from omote.show.declaration import ClientMessage, Declared, Message, ServerMessage, kinds_below, tag_of
 from omote.show.objects.documents import Document
 
-PROTOCOL_VERSION = 10
+PROTOCOL_VERSION = 11
 LINK_PATH = "/link"
 STATE_RATE = 60.0
 """States per second."""
@@ -38,7 +46,7 @@ CLIENT_MESSAGES = declared(ClientMessage)
 SERVER_MESSAGES = declared(ServerMessage)
 BY_TAG = {tag_of(kind): kind for kind in CLIENT_MESSAGES}
 DOCUMENTS: tuple[type[msgspec.Struct], ...] = (
-    *(Manifest, FaceAsset, ContentAsset, HairAsset, CompoundAsset),
+    *(Manifest, FaceAsset, ContentAsset, HairAsset, FigureAsset, BodyAsset, CompoundAsset),
     *ACCESS_DOCUMENTS,
 )
 STRUCTS: tuple[type[msgspec.Struct], ...] = tuple(

@@ -51,7 +51,9 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
         "rim": np.array(cut.rim),
         "bones": bones.astype(np.uint8),
         "weights": np.rint(weights * np.iinfo(np.uint16).max).astype(np.uint16),
-        "shares": np.rint(dual_shares(rig, generic, head.metres(base.points)) * np.iinfo(np.uint8).max).astype(np.uint8),
+        "shares": np.rint(dual_shares(rig, generic, head.metres(base.points)) * np.iinfo(np.uint8).max).astype(
+            np.uint8
+        ),
         "joined": joined,
         "join": join.astype(np.float32),
         "head_joint": band.astype(np.int32),

@@ -44,7 +44,9 @@ FIGURES: Mapping[str, Figure] = {
     "auntie": Figure(height=0.35, proportions=0.4, person=Person({}, Build(gender=0.1, age=0.85, weight=0.75))),
     "cat": Figure(height=0.55, proportions=0.8, person=Person({}, Build(gender=0.2, age=0.4, weight=0.35))),
     "count": Figure(height=0.6, proportions=0.6, person=Person({}, Build(gender=1.0, age=0.6, muscle=0.4, weight=0.3))),
-    "dog": Figure(height=0.45, proportions=0.5, person=Person({}, Build(gender=0.8, age=0.45, muscle=0.6, weight=0.55))),
+    "dog": Figure(
+        height=0.45, proportions=0.5, person=Person({}, Build(gender=0.8, age=0.45, muscle=0.6, weight=0.55))
+    ),
     "noh": Figure(height=0.6, proportions=0.6, person=Person({}, Build(gender=0.1, age=0.5, race={"asian": 1.0}))),
 }
 """By the name of the face; heights above 0.6 give giants (gaunt .75: 2.06 m)."""

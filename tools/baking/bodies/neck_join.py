@@ -31,7 +31,7 @@ def find_join(cut: FigureCut, points: Floats) -> tuple[Ints, Floats]:
     energy, _ = bending_energy(points, triangles)
     solver = factor_symmetric(energy[free][:, free])
     shares = solver.solve(-energy[free][:, cut.edge].toarray())
-    return free - cut.head_rows, shares
+    return (free - cut.head_rows).astype(np.int32), np.asarray(shares)
 
 
 def _above(cut: FigureCut) -> Ints:

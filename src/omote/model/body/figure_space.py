@@ -77,7 +77,18 @@ class FigureSpace:
             raise ValueError("the weights of a figure's rows do not sum to one")
         if self.join.shape != (len(self.joined), len(self.edge)):
             raise ValueError(f"the join is {self.join.shape}; expected ({len(self.joined)}, {len(self.edge)})")
-        for name in ("triangles", "bones", "weights", "shares", "edge", "joined", "join", "head_joint", "uvs", "uv_rows"):
+        for name in (
+            "triangles",
+            "bones",
+            "weights",
+            "shares",
+            "edge",
+            "joined",
+            "join",
+            "head_joint",
+            "uvs",
+            "uv_rows",
+        ):
             freeze(getattr(self, name))
 
     @property

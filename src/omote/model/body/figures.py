@@ -49,7 +49,9 @@ class Figures:
                 raise ValueError(f"pose {name!r} turns {len(pose.turns)} bones; expected {bones}")
         stand = self.poses.get(STAND)
         if stand is None or stand.turns.any() or stand.travel.any() or stand.feet.any() or stand.feet_turns.any():
-            raise ValueError(f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it")
+            raise ValueError(
+                f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it"
+            )
         object.__setattr__(self, "bodies", MappingProxyType(KnownNames("body", self.bodies)))
         object.__setattr__(self, "poses", MappingProxyType(KnownNames("pose", self.poses)))
 

@@ -100,10 +100,8 @@ def pose_of(recipe: PoseRecipe, skeleton: Skeleton) -> Pose:
         put(f"upperleg01.{side}", np.array([0.0, out * math.radians(leg.knee), 0.0]))
         put(f"toes.{side}", np.array([-math.radians(leg.toes), 0.0, 0.0]))
         feet.append(([out * leg.at[0], leg.at[1], leg.at[2]], _foot_turn(leg.foot, out)))
-    return Pose(
-        recipe.name, turns, np.array(recipe.hips), np.array([at for at, _ in feet]), np.array([turn for _, turn in feet]),
-        recipe.label,
-    )  # fmt: skip
+    places, foot_turns = (np.array(each) for each in zip(*feet, strict=True))
+    return Pose(recipe.name, turns, np.array(recipe.hips), places, foot_turns, recipe.label)
 
 
 def _bend(turn: Turn) -> Values:

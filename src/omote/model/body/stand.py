@@ -1,9 +1,9 @@
 """The neutral stand: how the bones of a body turn from the pose it was modelled in to the stand that all poses start
 from.
 
-Bodies were modelled with arms away from the trunk and elbows bent, each a little differently. A pose belongs to no body,
-so its angles count from one stand, in which the limbs of every body have the same directions: arms hang, palms to the
-thighs, knees straight, feet flat. Trunk, neck and head stay as modelled: they are the body's own.
+Bodies were modelled with arms away from the trunk and elbows bent, each a little differently. A pose belongs to no
+body, so its angles count from one stand, in which the limbs of every body have the same directions: arms hang, palms to
+the thighs, knees straight, feet flat. Trunk, neck and head stay as modelled: they are the body's own.
 """
 
 from __future__ import annotations
@@ -69,7 +69,9 @@ def _hang_arm(skeleton: Skeleton, joints: Points, side: str, turns: Values) -> N
     for name, share in TWIST.items():
         turned = Rotation.from_rotvec(share * twist * (forearm @ fore)).as_matrix() @ forearm
         _set(skeleton, turns, side, (name,), turned)
-    fingers = [name[:-2] for name in skeleton.names if name.endswith(side) and name.startswith(("metacarpal", "finger"))]
+    fingers = [
+        name[:-2] for name in skeleton.names if name.endswith(side) and name.startswith(("metacarpal", "finger"))
+    ]
     _set(skeleton, turns, side, ("wrist", *fingers), palm)
 
 
