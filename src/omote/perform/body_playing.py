@@ -112,12 +112,12 @@ class BodyPlaying(SkinPlaying):
         self._play(figure=replace(figure, pose=axis.released(figure.pose), regions=regions))
 
     def call_body(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a body on air apart from the face; without a name each face has its own again.
+        """Brings a body on air apart from the face, or gives each face its own again.
 
         Parameters
         ----------
         name : str
-            One of the cast's bodies; "" for that of the face on air, which it follows from then on.
+            One of the cast's bodies; "own" for those of the faces on air, which it follows from then on.
         seconds : float
             How long it takes, 0 to 3600; 0 cuts.
         easing : {"smooth", "gentle", "sharp", "early", "late"}

@@ -244,7 +244,7 @@ class CallStatus:
 @dataclass(frozen=True)
 class FigureFrame:
     """The figure of a frame. poses: the mix, which sums to one; regions: those of the regions that show another;
-    bodies: the mix of bodies, in which "" stands for those of the faces; pose_call, region_calls, body_call: what is
+    bodies: the mix of bodies, in which "own" stands for those of the faces; pose_call, region_calls, body_call: what is
     called; fader: where the T-bar of the poses stands, 0..1."""
 
     poses: Mapping[str, float]

@@ -475,7 +475,7 @@ class Performer(BodyPlaying):
             expression=expression,
             regions=advance_regions(now.regions, expression, dt) if now.regions else now.regions,
             light=axis.advanced(now.light, dt),
-            figure=None if now.figure is None else advance_figure(now.figure, dt),
+            figure=advance_figure(now.figure, dt),
             easing_to_rest=ease_later(now.easing_to_rest, dt),
             time=now.time + dt,
         )

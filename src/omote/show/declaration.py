@@ -43,7 +43,7 @@ FaceName = Annotated[Name, Value("face")]
 ExpressionName = Annotated[Name, Value("expression")]
 ChannelName = Annotated[Name, Value("channel")]
 PoseName = Annotated[Name, Value("pose")]
-BodyName = Annotated[str, msgspec.Meta(max_length=80), Value("body")]
+BodyName = Annotated[Name, Value("body")]
 CallSeconds = Annotated[float | None, Value("seconds", high=LONGEST_CALL, unit="s")]
 """Seconds of a call; `None`: by hand, the T-bar moves it."""
 Seconds = Annotated[float, Value("time", high=LONGEST_CALL, unit="s")]

@@ -109,6 +109,10 @@ def test_poses_are_called_interrupted_and_held_as_expressions_are() -> None:
     performer.call_body("heavy", seconds=1.0)
     performer.call_body("", seconds=0.0)
     assert performer.advance(0.0).figure.bodies == {FACES_OWN: 1.0}
+    elsewhere = omote.Performer(CAST)
+    elsewhere.call_pose("bow", seconds=0.5)
+    elsewhere.call_pose("stand", seconds=0.5)
+    assert elsewhere.advance(2.0).figure is None  # at rest as if nothing had been called
     performer.panic()
     still = performer.advance(1.0).figure
     assert still == performer.advance(1.0).figure

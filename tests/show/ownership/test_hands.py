@@ -19,6 +19,7 @@ from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Ping
 from omote.show.objects.motion import SetMotion, SetSkin, SetSpring
+from omote.show.objects.poses import FadePose
 from omote.show.ownership.hands import (
     AGAIN_SECONDS,
     HandReports,
@@ -129,7 +130,7 @@ def test_a_panic_is_news_to_others_for_a_moment() -> None:
 
 
 def t_bars() -> list[ClientMessage]:
-    return [FadeFace("one", 0.0), FadeExpression("one", 0.0)]
+    return [FadeFace("one", 0.0), FadeExpression("one", 0.0), FadePose("one", 0.0)]
 
 
 @given(st.lists(st.sampled_from(["Ana", "ana", "Ana 2", "console 1", "Ben", "7", "x" * 24])))

@@ -1234,7 +1234,7 @@ export type FadePose = { type: "fade_pose"; character: string; value: number };
 export type ReleasePose = { type: "release_pose"; character: string };
 
 /**
- * Brings a body on air in `seconds`, apart from the face; `name` "": each face has its own again. An `id` executes
+ * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id` executes
  * once.
  */
 export type CallBody = {
@@ -1760,7 +1760,7 @@ export type PadPointState = { place: number[]; plays: boolean };
 
 /**
  * What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
- * of bodies, in which "" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
+ * of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
  * `fader`: where the T-bar of the poses stands, 0..1.
  */
 export type FigureState = {

@@ -12,7 +12,7 @@ from omote.perform.axis import Axis
 from omote.perform.frame import FigureFrame, with_fields
 from omote.perform.mix import Weights, combine
 
-FACES_OWN = ""
+FACES_OWN = "own"
 """In a mix of bodies: those of the faces on air, by their weights."""
 
 
@@ -25,11 +25,17 @@ class FigureAxes:
     body: Axis = field(default_factory=lambda: Axis(FACES_OWN))
 
 
-def advance_figure(figure: FigureAxes, dt: float) -> FigureAxes:
-    """The axes `dt` seconds later."""
+AT_REST = FigureAxes()
+
+
+def advance_figure(figure: FigureAxes | None, dt: float) -> FigureAxes | None:
+    """The axes `dt` seconds later; None where they have come to rest."""
+    if figure is None:
+        return None
     pose = axis.advanced(figure.pose, dt)
     regions = axis.advance_regions(figure.regions, pose, dt) if figure.regions else figure.regions
-    return with_fields(figure, pose=pose, regions=regions, body=axis.advanced(figure.body, dt))
+    later = with_fields(figure, pose=pose, regions=regions, body=axis.advanced(figure.body, dt))
+    return None if later == AT_REST else later
 
 
 def figure_frame(figure: FigureAxes) -> FigureFrame:

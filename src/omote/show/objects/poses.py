@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import POSE_REGIONS, PoseRegion
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.limits import LONGEST_CALL
 from omote.perform.performer import Performer
 from omote.show.declaration import BodyName, CallId, CallSeconds, CharacterCommand, Name, PoseName, Position
@@ -12,12 +14,10 @@ from omote.show.objects.state import CharacterState, named_most
 from omote.show.osc import PRESS, Osc, Value, osc
 from omote.show.validation import Refusal
 
-STANDING = "stand"
-
 
 def _pose_on_air(state: CharacterState) -> tuple[str, ...]:
     figure = state.figure
-    return (STANDING if figure is None else named_most(figure.poses, figure.pose_call),)
+    return (STAND if figure is None else named_most(figure.poses, figure.pose_call),)
 
 
 def _pose_of_region(state: CharacterState, region: str) -> tuple[str, ...]:
@@ -35,7 +35,7 @@ def _pose_of_region(state: CharacterState, region: str) -> tuple[str, ...]:
 
 def _body_on_air(state: CharacterState) -> tuple[str, ...]:
     figure = state.figure
-    return ("" if figure is None else named_most(figure.bodies, figure.body_call),)
+    return (FACES_OWN if figure is None else named_most(figure.bodies, figure.body_call),)
 
 
 class CallPose(CharacterCommand, frozen=True):
@@ -102,14 +102,14 @@ class ReleasePose(CharacterCommand, frozen=True):
 
 
 class CallBody(CharacterCommand, frozen=True):
-    """Brings a body on air in `seconds`, apart from the face; `name` "": each face has its own again. An `id` executes
-    once."""
+    """Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id`
+    executes once."""
 
     plays = "pose"
     osc = (
         Osc(
             "body",
-            'brings a body on air apart from the face; "" gives each face its own again',
+            "brings a body on air apart from the face; own gives each face its own again",
             ("name", Value("time", high=LONGEST_CALL, unit="s", name="seconds")),
             on_air=_body_on_air,
         ),

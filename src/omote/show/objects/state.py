@@ -152,7 +152,7 @@ class PadPointState(msgspec.Struct, frozen=True):
 
 class FigureState(msgspec.Struct, frozen=True):
     """What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
-    of bodies, in which "" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
+    of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
     `fader`: where the T-bar of the poses stands, 0..1."""
 
     poses: dict[str, float]
