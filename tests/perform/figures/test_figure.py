@@ -107,7 +107,7 @@ def test_poses_are_called_interrupted_and_held_as_expressions_are() -> None:
     restored = omote.Performer.restored(CAST, performer.snapshot())
     assert restored.advance(0.5) == performer.advance(0.5)
     performer.call_body("heavy", seconds=1.0)
-    performer.call_body("", seconds=0.0)
+    performer.call_body("own", seconds=0.0)
     assert performer.advance(0.0).figure.bodies == {FACES_OWN: 1.0}
     elsewhere = omote.Performer(CAST)
     elsewhere.call_pose("bow", seconds=0.5)

@@ -1234,8 +1234,8 @@ export type FadePose = { type: "fade_pose"; character: string; value: number };
 export type ReleasePose = { type: "release_pose"; character: string };
 
 /**
- * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id` executes
- * once.
+ * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id`
+ * executes once.
  */
 export type CallBody = {
   type: "call_body";
