@@ -32,7 +32,8 @@ SPREAD = 10.0
 
 
 class Arm(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An arm, degrees: raise it forward, spread it to the side, twist it inward about itself; elbow bends; forearm
+    """An arm, degrees: raised forward and spread to the side, which add up as the sides of a right angle do (both 90: up
+    by 127 degrees, half forward, half aside); twist it inward about itself; elbow bends; forearm
     turns the palm inward and down (+) or up; wrist bends to the palm and to the thumb's side; shrug lifts the shoulder,
     reach brings it forward.
 
@@ -117,12 +118,11 @@ def _arm_turns(arm: Arm, out: float) -> Mapping[str, Values]:
         [arm.raised, arm.spread, arm.twist, arm.elbow, arm.forearm, arm.shrug, arm.reach]
     )
     bend, aside = np.radians(arm.wrist)
-    raising = Rotation.from_rotvec([-raised, 0.0, 0.0])
-    spreading = Rotation.from_rotvec([0.0, 0.0, out * spread])
+    swing = Rotation.from_rotvec([-raised, 0.0, out * spread])  # its length is how far the arm has left hanging
     twisting = Rotation.from_rotvec([0.0, -out * twist, 0.0])
     turns = {
         "clavicle": np.array([0.0, -out * reach, out * shrug]),
-        "upperarm01": _vector(spreading * raising * twisting),
+        "upperarm01": _vector(swing * twisting),
         "lowerarm01": np.array([-elbow, 0.0, 0.0]),
     }
     about = np.array([0.0, -out * forearm, 0.0])
