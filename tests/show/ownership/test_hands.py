@@ -11,7 +11,7 @@ from omote.show.crew.members import LONGEST_NAME, free_name
 from omote.show.declaration import ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects import faders
-from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, Panic, ReleaseFace
+from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, FadePose, Panic, ReleaseFace
 from omote.show.objects.characters import PlaceCharacter
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.hand.macros import MoveMacro
@@ -19,7 +19,6 @@ from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Ping
 from omote.show.objects.motion import SetMotion, SetSkin, SetSpring
-from omote.show.objects.poses import FadePose
 from omote.show.ownership.hands import (
     AGAIN_SECONDS,
     HandReports,

@@ -143,6 +143,39 @@ export type FadeExpression = { type: "fade_expression"; character: string; value
 export type ReleaseExpression = { type: "release_expression"; character: string };
 
 /**
+ * Brings a pose on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
+ * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: of the whole figure.
+ */
+export type CallPose = {
+  type: "call_pose";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+  region?: "head" | "trunk" | "arm_left" | "arm_right" | "stance" | null;
+};
+
+/** The position of the pose T-bar, 0..1. */
+export type FadePose = { type: "fade_pose"; character: string; value: number };
+
+/** The operator lets go of the pose T-bar. */
+export type ReleasePose = { type: "release_pose"; character: string };
+
+/**
+ * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id`
+ * executes once.
+ */
+export type CallBody = {
+  type: "call_body";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+};
+
+/**
  * The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
  * face. An `id` executes once: a page sends it again where its link breaks.
  */
@@ -1214,39 +1247,6 @@ export type CallFraming = {
 export type CallBlack = { type: "call_black"; black: number; seconds?: number; easing?: string; id?: string };
 
 /**
- * Brings a pose on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
- * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: of the whole figure.
- */
-export type CallPose = {
-  type: "call_pose";
-  character: string;
-  id: string;
-  name: string;
-  seconds?: number | null;
-  easing?: string;
-  region?: "head" | "trunk" | "arm_left" | "arm_right" | "stance" | null;
-};
-
-/** The position of the pose T-bar, 0..1. */
-export type FadePose = { type: "fade_pose"; character: string; value: number };
-
-/** The operator lets go of the pose T-bar. */
-export type ReleasePose = { type: "release_pose"; character: string };
-
-/**
- * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id`
- * executes once.
- */
-export type CallBody = {
-  type: "call_body";
-  character: string;
-  id: string;
-  name: string;
-  seconds?: number | null;
-  easing?: string;
-};
-
-/**
  * Brings on air, in `seconds` and from whatever shows, each part that goes otherwise in preview: afterwards both
  * look the same. What eyes look at and how much of layers shows is set at once; gestures and speech are no part of it.
  * `parts`: only these (`one/face`, `one` for all of a character). Where others hold one of them, it is rejected whole;
@@ -2171,6 +2171,10 @@ export type FromClient =
   | ReleaseFace
   | FadeExpression
   | ReleaseExpression
+  | CallPose
+  | FadePose
+  | ReleasePose
+  | CallBody
   | Panic
   | SetHome
   | AddCharacter
@@ -2273,10 +2277,6 @@ export type FromClient =
   | CallLight
   | CallFraming
   | CallBlack
-  | CallPose
-  | FadePose
-  | ReleasePose
-  | CallBody
   | Take
   | ResetPreview
   | PreviewCue
