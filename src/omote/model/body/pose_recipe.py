@@ -34,8 +34,8 @@ SPREAD = 10.0
 class Arm(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """An arm, degrees: raised forward and spread to the side, which add up as the sides of a right angle do (both 90:
     up by 127 degrees, half forward, half aside); twist it inward about itself; elbow bends; forearm turns the palm
-    inward and down (+) or up; wrist bends to the palm and to the thumb's side; shrug lifts the shoulder, reach brings it
-    forward.
+    inward and down (+) or up; wrist bends to the palm and to the thumb's side; shrug lifts the shoulder, reach brings
+    it forward.
 
     curls: of thumb, index, middle, ring and little finger, -0.2 (stretched) to 1 (a fist); fan: fingers apart, -0.5 to
     1."""
