@@ -107,7 +107,8 @@ def frame(along: Values, about: Values | list[float]) -> Values:
 
 
 def shortest_turn(before: Values, after: Values) -> Values:
-    """The rotation (3, 3) by the smallest angle that takes one direction (3,) to another."""
+    """The rotation (3, 3) by the smallest angle that takes a direction (3,) from where it is before to where it is
+    after."""
     axis = np.cross(before, after)
     sine = np.linalg.norm(axis)
     if sine < 1e-9:

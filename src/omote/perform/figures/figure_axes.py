@@ -29,7 +29,7 @@ AT_REST = FigureAxes()
 
 
 def advance_figure(figure: FigureAxes | None, dt: float) -> FigureAxes | None:
-    """The axes `dt` seconds later; None where they have come to rest."""
+    """The figure `dt` seconds later; None where it has come to rest."""
     if figure is None:
         return None
     pose = axis.advanced(figure.pose, dt)

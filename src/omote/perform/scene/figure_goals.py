@@ -28,8 +28,8 @@ def figure_goal(figure: FigureAxes | None, name: str, mix: Callable[[Axis], Goal
 def called_figure(
     figure: FigureAxes | None, name: str, goal: Goal, seconds: float, easing: str, pace: float | None
 ) -> FigureAxes:
-    """The figure with a part of it called to a goal. figure, name: as of `figure_goal`; all else as of
-    `Scene.call_goal`."""
+    """The figure with a part of it called to a goal. figure, name: as of `figure_goal`; goal, seconds, easing and pace:
+    as of `Scene.call_goal`."""
     here = figure or FigureAxes()
 
     def call(on: Axis) -> Axis:
