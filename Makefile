@@ -167,4 +167,4 @@ wheel: setup
 
 clean:
 	rm -rf .venv build dist web/node_modules src/omote/server/web .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
-	rm -rf .hypothesis src/omote/builtin/cast.npz src/omote/builtin/identity_modes.npz src/omote/builtin/mask.png src/omote/builtin/NOTICE-CC0.md
+	rm -rf .hypothesis src/omote/builtin/cast.npz src/omote/builtin/figures.npz src/omote/builtin/identity_modes.npz src/omote/builtin/mask.png src/omote/builtin/NOTICE-CC0.md

@@ -12,6 +12,7 @@ NEEDED = (
     "src/omote/server/web/editor.html",
     "src/omote/server/web/camera.html",
     "src/omote/builtin/cast.npz",
+    "src/omote/builtin/figures.npz",
     "src/omote/builtin/identity_modes.npz",
     "src/omote/inputs/camera/landmark_map.npz",
     "src/omote/builtin/photographs/landmark_table.npz",

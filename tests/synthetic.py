@@ -7,6 +7,11 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.body.body import Body
+from omote.model.body.figure_space import BONES_OF_A_ROW, FigureSpace
+from omote.model.body.figures import Figures
+from omote.model.body.pose import Pose
+from omote.model.body.skeleton import Skeleton
 from omote.model.cast import Cast
 from omote.model.extraction.extract import extract
 from omote.model.space.expression import Expression
@@ -34,6 +39,8 @@ LOOKS = {
 }
 """Which eyeball each unit turns, by which yaw and pitch."""
 EXPRESSIONS = ("neutral", "jawOpen", "browInnerUp", "smile", *LOOKS)
+POSES = ("stand", "bow", "wave")
+BODIES = ("generic", "broad")
 
 
 def head() -> tuple[Points, NDArray[np.int32]]:
@@ -139,13 +146,39 @@ def _look(face: Face, name: str) -> Expression:
 
 
 @cache
+def figures() -> Figures:
+    """Two bodies of one triangle below the egg, on two bones, and three poses."""
+    rows = space().vertex_count
+    shape = FigureSpace(
+        head_rows=rows,
+        triangles=np.array([[0, rows, rows + 1]], np.int32),
+        skeleton=Skeleton(("root", "head"), np.array([-1, 0], np.int32)),
+        bones=np.zeros((rows + 2, BONES_OF_A_ROW), np.int32),
+        weights=np.eye(1, BONES_OF_A_ROW, dtype=np.float32).repeat(rows + 2, axis=0),
+        shares=np.ones(rows + 2, np.float32),
+        edge=np.array([0], np.int32),
+        rim=1,
+        joined=np.array([0], np.int32),
+        join=np.full((1, 1), 0.5, np.float32),
+        head_joint=np.array([0], np.int32),
+        head_joint_offset=np.zeros(3),
+        uvs=np.zeros((3, 2), np.float32),
+        uv_rows=np.array([[0, 1, 2]], np.int32),
+    )
+    at = np.array([[0.0, -0.3, 0.0], [0.1, -0.3, 0.0]])
+    bodies = {name: Body(name, at * wide, at[:1], at, at) for wide, name in enumerate(BODIES, start=1)}
+    poses = {name: Pose(name, np.full((2, 3), 0.1 * turn)) for turn, name in enumerate(POSES)}
+    return Figures(shape, bodies, poses)
+
+
+@cache
 def cast() -> Cast:
-    """Three faces and twelve expressions; frozen, so all tests share it."""
+    """Three faces, twelve expressions, three poses; frozen, so all tests share it."""
     points = space().points
     chin = _bump(points, (0.0, -0.09, 0.08), 0.03, (0.0, -0.01, 0.012))
     shapes = (points, points * [1.15, 0.95, 1.05], points * [0.95, 1.2, 1.0] + chin)
     faces = {name: Face(name, shape.astype(np.float32)) for name, shape in zip(FACES, shapes, strict=True)}
-    return Cast(space(), faces, _expressions(faces["generic"]))
+    return Cast(space(), faces, _expressions(faces["generic"]), figures=figures())
 
 
 class Recast:
@@ -156,4 +189,6 @@ class Recast:
         self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
         self.titles = cast.titles
         self.face_labels = cast.face_labels
+        self.poses = cast.poses
+        self.bodies = cast.bodies
         self.digest = digest

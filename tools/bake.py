@@ -23,6 +23,8 @@ from tools.baking.assemble import (
     openness_arrays,
     space_of,
 )
+from tools.baking.bodies.assemble import figure_arrays
+from tools.baking.bodies.builds import FIGURES
 from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED, SPRINGS
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
@@ -46,7 +48,9 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(SPRINGS) + len(GROOMS) + 5
+STEPS = (
+    FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(SPRINGS) + len(GROOMS) + len(FIGURES) + 5
+)
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
@@ -59,12 +63,14 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
     with ProcessPoolExecutor(1, get_context("spawn")) as painter:  # nothing else needs the layers, nor they it
         layers = painter.submit(paint_layers, head.skin, generic, layout)
         arrays = cast_arrays(package, base, head, layout, step)
+        figures = npz_bytes(figure_arrays(package, base, head, step))
         mask = png_bytes(layers.result())
     step("layers of the skin")
     modes = npz_bytes(identity_modes(package, base, head, arrays))
     step("identity modes")
     return {
-        "mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays), "identity_modes.npz": modes
+        "mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays), "identity_modes.npz": modes,
+        "figures.npz": figures,
     }  # fmt: skip
 
 
@@ -108,7 +114,10 @@ def main() -> int:
         print(f"The cast was not baked: {error}", file=sys.stderr)
         return 1
     sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
-    print(f"{FACES} faces, {STEPS - FACES - len(GROOMS) - 4} expressions, {len(GROOMS)} hair styles: {sizes}")
+    print(
+        f"{FACES} faces, {STEPS - FACES - len(GROOMS) - len(FIGURES) - 4} expressions, {len(GROOMS)} hair styles, "
+        f"{len(FIGURES)} bodies: {sizes}"
+    )
     return 0
 
 

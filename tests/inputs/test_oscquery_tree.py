@@ -18,6 +18,7 @@ from omote.inputs.oscquery_tree import (
     host_info,
     with_values,
 )
+from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.complexion import SKIN_FADERS
 from omote.perform.easing import DEFAULT_EASING
@@ -102,7 +103,8 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             known = set() if address.path.startswith(unlisted) else known
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]
-            regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
+            posed = POSE_REGIONS if address.path.startswith("pose/") else PLAY_REGIONS
+            regions = (LAYER_PARTS if layered else posed) if "{region}" in written else [""]
             held = SCENE_PARTS if address.of_show else CHARACTER_PARTS
             parts = [*held, "all"] if "{part}" in written else [""]
             places = product(names, regions, parts, languages)

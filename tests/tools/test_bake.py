@@ -20,7 +20,7 @@ def test_the_cast_in_place_is_what_the_tools_bake_to_the_byte() -> None:
     steps: list[str] = []
     files = bake.bake(Package(wheel), steps.append)
     assert len(steps) == bake.STEPS - 1  # the first step is the wheel itself
-    assert set(files) == {"cast.npz", "identity_modes.npz", "mask.png", "NOTICE-CC0.md"}
+    assert set(files) == {"cast.npz", "figures.npz", "identity_modes.npz", "mask.png", "NOTICE-CC0.md"}
     for name, data in files.items():
         assert data == (builtin.HERE / name).read_bytes(), f"{name} is stale; run `make bake`"
 

@@ -1,7 +1,7 @@
 """The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
-cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
-(tools/bake.py).
+cast.npz, figures.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by
+`make bake` (tools/bake.py).
 """
 
 from __future__ import annotations
@@ -19,16 +19,29 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
+from omote.builtin.figurefile import figures_of, read_poses
+from omote.model.body.figures import Figures
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
-__all__ = ["BakedMesh", "load_cast", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
+__all__ = [
+    "BakedMesh",
+    "load_cast",
+    "load_figures",
+    "load_head_kinds",
+    "load_identity_modes",
+    "load_mask",
+    "load_meshes",
+    "read_cast",
+]
 
 HERE = Path(__file__).parent
 CAST = HERE / "cast.npz"
 MASK = HERE / "mask.png"
+FIGURES = HERE / "figures.npz"
+POSES = HERE / "poses.toml"
 NOTICE = HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
@@ -65,7 +78,7 @@ def load_cast() -> Cast:
     ----------
     docs/conventions.md for units and axes; the meshes are CC0, see the notice beside the cast.
     """
-    return read_cast(CAST)
+    return replace(read_cast(CAST), figures=load_figures())
 
 
 @functools.cache
@@ -75,6 +88,15 @@ def load_meshes() -> tuple[BakedMesh, ...]:
         return meshes_of(_arrays(CAST))
     except KeyError as error:
         raise _broken(CAST, error) from error
+
+
+@functools.cache
+def load_figures() -> Figures:
+    """The bodies of the built-in cast, one mesh with its heads; errors as `load_cast`."""
+    try:
+        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()))
+    except (KeyError, ValueError) as error:
+        raise _broken(FIGURES, error) from error
 
 
 @functools.cache

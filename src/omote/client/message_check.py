@@ -15,7 +15,7 @@ import numpy as np
 from msgspec import structs
 
 from omote.show.declaration import ClientMessage, Message
-from omote.show.objects.calls import FadeExpression, FadeFace
+from omote.show.objects.calls import FadeExpression, FadeFace, FadePose
 from omote.show.objects.characters import AddCharacter, EnterCharacter, LeaveCharacter, RemoveCharacter, RenameCharacter
 from omote.show.objects.speech import Say
 from omote.show.wire import encode
@@ -44,6 +44,7 @@ _NOUNS: Mapping[object, str] = {
 _ARGUMENTS: Mapping[tuple[type, str], str] = {
     (FadeFace, "value"): "x",
     (FadeExpression, "value"): "x",
+    (FadePose, "value"): "x",
     (RenameCharacter, "character"): "name",
     (AddCharacter, "character"): "name",
     (RemoveCharacter, "character"): "name",

@@ -15,6 +15,7 @@ from omote.client.message_check import pack_numbers
 from omote.client.remote_frame import frame_in
 from omote.client.sounds import split_sound
 from omote.inputs.voices.spoken_text import WantedSpeech, check_wanted
+from omote.model.body.pose_regions import check_pose_region
 from omote.model.known_names import check_play_region
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, check_target_kind
@@ -25,7 +26,7 @@ from omote.perform.speech.speech_timing import TIMING_KINDS
 from omote.perform.speech.spelling import check_language
 from omote.show.declaration import CharacterCommand, ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
-from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.calls import CallExpression, CallFace, CallPose
 from omote.show.objects.hand.pads import MovePad
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.motion import LookAt
@@ -103,6 +104,14 @@ class RemoteCharacter(Generic[Sent, Said]):
         where = None if region is None else check_play_region(region)
         by_hand = _or_by_hand(seconds)
         return self._show.send(CallExpression(self.name, self._show.next_id(), name, by_hand, easing, where, strength))
+
+    def call_pose(
+        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+    ) -> Sent:
+        """Brings a pose on air from whatever the figure does, all of it or in one region alone; `math.inf` seconds wait
+        for `fade_pose`. name: of the pose; easing: the name of the curve; region: of the figure."""
+        where = None if region is None else check_pose_region(region)
+        return self._show.send(CallPose(self.name, self._show.next_id(), name, _or_by_hand(seconds), easing, where))
 
     def drive(
         self,

@@ -8,6 +8,7 @@ from omote.model.space.complexion import PALE, Complexion
 from omote.perform.frame import (
     CallStatus,
     ClipStatus,
+    FigureFrame,
     Frame,
     Gaze,
     GazeTarget,
@@ -21,7 +22,16 @@ from omote.perform.frame import (
     SourceStatus,
     SpeechStatus,
 )
-from omote.show.objects.state import CallState, CharacterState, HeldState, LayerState, MotionState, SpeechState, State
+from omote.show.objects.state import (
+    CallState,
+    CharacterState,
+    FigureState,
+    HeldState,
+    LayerState,
+    MotionState,
+    SpeechState,
+    State,
+)
 
 
 def frame_in(state: State, character: CharacterState) -> Frame:
@@ -59,6 +69,20 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         drops=character.complexion[6] if character.complexion else 0.0,
         folds=character.folds,
         skin={str(name): amount for name, amount in character.skin.items()},
+        figure=None if character.figure is None else figure_frame_of(character.figure),
+    )
+
+
+def figure_frame_of(figure: FigureState) -> FigureFrame:
+    """A figure of the wire as the engine's."""
+    return FigureFrame(
+        poses=figure.poses,
+        regions=figure.regions,
+        bodies=figure.bodies,
+        pose_call=call_status(figure.pose_call),
+        region_calls={region: call_status_of(call) for region, call in figure.region_calls.items()},
+        body_call=call_status(figure.body_call),
+        fader=figure.fader,
     )
 
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from omote.inputs.character_patterns import characters_meant
 from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
+from omote.model.body.pose_regions import check_pose_region
 from omote.model.known_names import check_play_region
 from omote.perform.called_names import find_called
 from omote.perform.complexion import check_skin_fader
@@ -32,11 +33,25 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
     "gesture": check_gesture, "language": check_language, "spring": check_spring,
-    "skin": check_skin_fader,
+    "skin": check_skin_fader, "pose_region": check_pose_region,
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
-NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character", "spring", "skin")
+NAMED = (
+    "face",
+    "expression",
+    "channel",
+    "light",
+    "gesture",
+    "layer",
+    "region",
+    "character",
+    "spring",
+    "skin",
+    "pose",
+    "pose_region",
+    "body",
+)
 """What is called by a name."""
 BUTTON = (0.0, 1.0)
 """What a button sends, as decimals or true and false: where the number of a cue may be left out it is let go or

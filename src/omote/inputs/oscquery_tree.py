@@ -9,6 +9,7 @@ from typing import Any, Literal
 from omote.inputs.osc_addresses import ADDRESSES, Address, fill_places
 from omote.inputs.osc_feedback import REST, AddressValues
 from omote.inputs.osc_orders import Names
+from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.perform.complexion import SKIN_FADERS
 from omote.perform.gestures import GESTURES
@@ -147,13 +148,15 @@ def _names(value: Value, names: Names, owner: str = "") -> list[str]:
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
-        "spring": SPRING_NAMES, "skin": SKIN_FADERS,
+        "spring": SPRING_NAMES, "skin": SKIN_FADERS, "pose_region": POSE_REGIONS,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:
         return [*listed[value.kind]]
     cast = names.cast
-    choices: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(value.kind, cast.expressions)
+    choices: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS, "pose": cast.poses, "body": cast.bodies}.get(
+        value.kind, cast.expressions
+    )
     return [name for name in choices if value.kind != "channel" or name != NEUTRAL]
 
 

@@ -12,6 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.albedo import Albedo, SkinAtlas
+from omote.model.body.body import Body
+from omote.model.body.figures import Figures
+from omote.model.body.pose import Pose
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC, NEUTRAL, KnownNames
 from omote.model.space.expression import Expression, Title, refuse_name
@@ -163,6 +166,8 @@ class Cast:
     folding : array_like, (V,), optional
         How far expressions press each vertex of the skin together at most, of 255 (`omote.model.folding`); without it
         no skin folds.
+    figures : Figures, optional
+        The bodies and poses; without them heads stand alone.
 
     Raises
     ------
@@ -189,6 +194,7 @@ class Cast:
     hair: Mapping[str, HairStyle] = field(default_factory=dict)
     atlas: SkinAtlas | None = None
     folding: NDArray[np.uint8] | None = None
+    figures: Figures | None = None
 
     def __post_init__(self) -> None:
         for name, face in self.faces.items():
@@ -215,6 +221,28 @@ class Cast:
     def __repr__(self) -> str:
         """How much is in it."""
         return f"<cast of {len(self.faces)} faces and {len(self.expressions)} expressions>"
+
+    @property
+    def poses(self) -> Mapping[str, Pose]:
+        """The poses of its figures, by name; none without figures.
+
+        Examples
+        --------
+        >>> "bow" in cast.poses
+        True
+        """
+        return {} if self.figures is None else self.figures.poses
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The bodies of its figures, by name; none without figures.
+
+        Examples
+        --------
+        >>> cast.bodies["child"].size
+        1.12
+        """
+        return {} if self.figures is None else self.figures.bodies
 
     @property
     def face_labels(self) -> Mapping[str, str]:

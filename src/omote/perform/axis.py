@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from omote.model.known_names import PlayRegion
 from omote.perform.easing import (
     DECAY_SECONDS,
     DEFAULT_EASING,
@@ -373,10 +372,13 @@ def _has_arrived(call: Call) -> bool:
     return call.seconds is not None and is_over(call.elapsed, call.seconds)
 
 
-RegionAxes = Mapping[PlayRegion, Axis]
+Region = TypeVar("Region", bound=str)
+"""Of a face or of a figure."""
 
 
-def call_regions(regions: RegionAxes, face: Axis, call: Callable[[Axis], Axis]) -> dict[PlayRegion, Axis]:
+def call_regions(
+    regions: Mapping[Region, Axis], face: Axis, call: Callable[[Axis], Axis]
+) -> dict[Region, Axis]:  # fmt: skip
     """All regions that go their own way, called with the whole face, whose T-bar they then have.
 
     call: what calls an axis.
@@ -384,7 +386,9 @@ def call_regions(regions: RegionAxes, face: Axis, call: Callable[[Axis], Axis]) 
     return {region: call(replace(on, hand=face.hand)) for region, on in regions.items()}
 
 
-def move_with_face(regions: RegionAxes, face: Axis, move: Callable[[Axis], Axis]) -> dict[PlayRegion, Axis]:
+def move_with_face(
+    regions: Mapping[Region, Axis], face: Axis, move: Callable[[Axis], Axis]
+) -> dict[Region, Axis]:  # fmt: skip
     """The regions after the T-bar of the whole face has moved: it moves those whose call is the face's too, and passes
     the others by.
 
@@ -401,7 +405,7 @@ def _is_called_with(face: Axis, on: Axis) -> bool:
     return (mine.target, mine.seconds, mine.elapsed, mine.easing) == (own.target, own.seconds, own.elapsed, own.easing)
 
 
-def advance_regions(regions: RegionAxes, face: Axis, dt: float) -> dict[PlayRegion, Axis]:
+def advance_regions(regions: Mapping[Region, Axis], face: Axis, dt: float) -> dict[Region, Axis]:
     """The regions `dt` seconds later, without those that have come to show what the whole face does; face: its axis,
     advanced already."""
     later = {region: advanced(on, dt) for region, on in regions.items()}

@@ -50,7 +50,7 @@ class CalledMix:
         >>> dict(performer.advance(0.0).faces)
         {'old': 1.0}
         """
-        self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
+        self._play(face=start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
 
     def call_expression(
         self,
@@ -104,7 +104,7 @@ class CalledMix:
         """
 
         def call(on: Axis) -> Axis:
-            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing, goal)
+            return start_call(on, self._cast.expressions, name, "expression", seconds, easing, goal)
 
         goal = _part_of(name, strength)
         now = self._now
@@ -370,7 +370,7 @@ def _part_of(expression: str, strength: float) -> dict[str, float] | None:
     return {NEUTRAL: 1.0 - share, expression: share} if share else {NEUTRAL: 1.0}
 
 
-def _start_call(
+def start_call(
     on: Axis,
     names: Mapping[str, object],
     name: str,
@@ -379,6 +379,8 @@ def _start_call(
     easing: str,
     goal: Mapping[str, float] | None = None,
 ) -> Axis:
+    """An axis with a call, checked. on: as it is; names: what can be called; name: what is; what: what messages call
+    it; seconds, easing: of the call, `math.inf` for one by hand; goal: as of `axis.called`."""
     check_known(name, names, what)
     find_easing(easing)
     if isinstance(seconds, float) and seconds == math.inf:

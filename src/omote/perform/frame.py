@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple, TypeVar, get_args
 
+from omote.model.body.pose_regions import PoseRegion
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.model.space.complexion import PALE, Complexion
 from omote.perform.lights import FIRST_LIGHT
@@ -241,6 +242,21 @@ class CallStatus:
 
 
 @dataclass(frozen=True)
+class FigureFrame:
+    """The figure of a frame. poses: the mix, which sums to one; regions: those of the regions that show another;
+    bodies: the mix of bodies, in which "own" stands for those of the faces; pose_call, region_calls, body_call: what is
+    called; fader: where the T-bar of the poses stands, 0..1."""
+
+    poses: Mapping[str, float]
+    regions: Mapping[PoseRegion, Mapping[str, float]]
+    bodies: Mapping[str, float]
+    pose_call: CallStatus | None
+    region_calls: Mapping[PoseRegion, CallStatus]
+    body_call: CallStatus | None
+    fader: float
+
+
+@dataclass(frozen=True)
 class Held:
     """What hands hold: channels, head and gaze, each at rest where no hand does."""
 
@@ -323,6 +339,7 @@ class Frame:
     each is set, of those that are not 1. `complexion`: blood, tears and sweat as they show now; `drops`:
     the metres that these two have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those
     that are not 1.
+    `figure`: poses and bodies, None while the figure stands and each face has its own body.
     """
 
     faces: Mapping[str, float]
@@ -355,6 +372,7 @@ class Frame:
     drops: float = 0.0
     folds: float = 1.0
     skin: Mapping[str, float] = field(default_factory=dict)
+    figure: FigureFrame | None = None
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
+from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.perform import axis
-from omote.perform.axis import Axis, RegionAxes, call_regions
+from omote.perform.axis import Axis, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import PadStatus, with_fields
@@ -164,6 +164,6 @@ class PadPlaying(CalledMix):
         return {name: PadStatus(place, name in playing) for name, place in now.pads.items()}
 
 
-def _played(regions: RegionAxes, pad: str, play: Callable[[Axis], Axis]) -> RegionAxes:
+def _played(regions: Mapping[PlayRegion, Axis], pad: str, play: Callable[[Axis], Axis]) -> Mapping[PlayRegion, Axis]:
     """The regions where a pad of the whole face is moved on: those that it plays go with it. play: what moves one."""
     return {region: play(on) if on.point is not None and on.point.pad == pad else on for region, on in regions.items()}

@@ -9,8 +9,10 @@ from dataclasses import replace
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, advance_regions, call_regions
+from omote.perform.body_playing import BodyPlaying
 from omote.perform.complexion import calm_skin
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.figure_axes import advance_figure, figure_frame, halt_figure
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
@@ -53,7 +55,6 @@ from omote.perform.motion.automatic_motion import (
 )
 from omote.perform.motion.sight import Sight, sight_alone
 from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, at_speed, ease_later, eased
-from omote.perform.skin_playing import SkinPlaying
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -69,7 +70,7 @@ MOMENT = 1e-4
 """Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
-class Performer(SkinPlaying):
+class Performer(BodyPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -474,6 +475,7 @@ class Performer(SkinPlaying):
             expression=expression,
             regions=advance_regions(now.regions, expression, dt) if now.regions else now.regions,
             light=axis.advanced(now.light, dt),
+            figure=advance_figure(now.figure, dt),
             easing_to_rest=ease_later(now.easing_to_rest, dt),
             time=now.time + dt,
         )
@@ -683,6 +685,7 @@ def _at_rest(now: Snapshot, held: Held) -> Snapshot:
         pads={},
         springs=release_springs(now.springs),
         skin=calm_skin(now.skin),
+        figure=halt_figure(now.figure, PANIC_SECONDS),
     )
 
 
@@ -711,4 +714,5 @@ def _frame(now: Snapshot, held: Held, macros: MacroVectors | None) -> Frame:
         speech=speech_status(now.speaking),
         spoken=now.spoken,
         macros=macro_statuses(now.mappings.kept, macros),
+        figure=None if now.figure is None else figure_frame(now.figure),
     )

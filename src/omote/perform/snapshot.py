@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from omote.model.body.pose_regions import check_pose_region
 from omote.model.known_names import PlayRegion, check_play_region
 from omote.model.space.expression import Expression, Title
 from omote.perform.axis import Axis, Call
@@ -14,6 +15,7 @@ from omote.perform.channels import highest_weight, with_channel
 from omote.perform.clips.clip_runs import ClipRun, check_runs
 from omote.perform.complexion import Skin, check_skin
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
+from omote.perform.figures.figure_axes import FACES_OWN, FigureAxes
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.gestures import Gesture, check_gestures
 from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
@@ -59,6 +61,14 @@ class Playable(Protocol):
         """What faces are called that have another label than their name."""
 
     @property
+    def poses(self) -> Mapping[str, object]:
+        """The poses, whatever stands for them."""
+
+    @property
+    def bodies(self) -> Mapping[str, object]:
+        """The bodies, whatever stands for them."""
+
+    @property
     def digest(self) -> str:
         """The digest of exactly these."""
 
@@ -80,6 +90,7 @@ class Snapshot:
     been moved. `mappings`: what macros play; `macros`: those that were moved.
     `springs`: how much of them is set and how they move, None while none has moved. `skin`: blood, tears and
     sweat as they show and the faders of the skin, None where there is nothing of that.
+    `figure`: poses and bodies, None while none has been called.
     """
 
     face: Axis
@@ -107,6 +118,7 @@ class Snapshot:
     pads: Mapping[str, PadPlace] = field(default_factory=dict)
     springs: Springs | None = None
     skin: Skin | None = None
+    figure: FigureAxes | None = None
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -152,11 +164,21 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
         _check_point(name, place)
     check_springs(snapshot.springs)
     check_skin(snapshot.skin)
+    _check_figure(snapshot.figure, cast)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:
         check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
+
+
+def _check_figure(figure: FigureAxes | None, cast: Playable) -> None:
+    if figure is None:
+        return
+    check_axis(figure.pose, cast.poses, "pose")
+    for region, axis in figure.regions.items():
+        check_axis(axis, cast.poses, f"pose ({check_pose_region(region)})")
+    check_axis(figure.body, {FACES_OWN: None, **cast.bodies}, "body")
 
 
 def _check_easing_to_rest(left: EasingToRest | None, cast: Playable) -> None:

@@ -189,6 +189,35 @@ class LightDocument(msgspec.Struct, frozen=True):
     label: str
 
 
+class BodyDocument(msgspec.Struct, frozen=True):
+    """A body: where its rows are, and by how much it is drawn larger than its person is."""
+
+    name: str
+    label: str
+    url: str
+    size: float
+
+
+class PoseDocument(msgspec.Struct, frozen=True):
+    """A pose (`model.body.pose`), f32 little-endian: `turns` (bones, 3) radians, `feet` (2, 3) leg lengths,
+    `feet_turns` (2, 3) radians; `travel` leg lengths."""
+
+    name: str
+    label: str
+    turns: bytes
+    travel: tuple[float, float, float]
+    feet: bytes
+    feet_turns: bytes
+
+
+class FiguresDocument(msgspec.Struct, frozen=True):
+    """The bodies and poses of a cast; `url`: where its `FigureAsset` is."""
+
+    url: str
+    bodies: list[BodyDocument]
+    poses: list[PoseDocument]
+
+
 class Manifest(msgspec.Struct, frozen=True):
     """All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
 
@@ -210,6 +239,7 @@ class Manifest(msgspec.Struct, frozen=True):
     correctives: CorrectivesDocument | None = None
     regions: RegionDocument | None = None
     folding: bytes = b""
+    figures: FiguresDocument | None = None
 
 
 class FaceAsset(msgspec.Struct, frozen=True):
@@ -244,6 +274,41 @@ class HairAsset(msgspec.Struct, frozen=True):
     facing: bytes
     light: bytes
     fullness: bytes
+
+
+class FigureAsset(msgspec.Struct, frozen=True):
+    """What all bodies share (`model.body.figure_space`), little-endian; V rows of the head's skin, B of the body.
+
+    `bones`: their names, `parents` (bones,) i32 -1 for the first; `row_bones` (V + B, 8) u8, `row_weights` u16 of
+    65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
+    head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
+    `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32.
+    """
+
+    bones: list[str]
+    parents: bytes
+    head_rows: int
+    row_bones: bytes
+    row_weights: bytes
+    shares: bytes
+    triangles: bytes
+    edge: bytes
+    rim: int
+    joined: bytes
+    join: bytes
+    head_joint: bytes
+    head_joint_offset: tuple[float, float, float]
+    uvs: bytes
+    uv_rows: bytes
+
+
+class BodyAsset(msgspec.Struct, frozen=True):
+    """A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3)."""
+
+    positions: bytes
+    edge: bytes
+    joints: bytes
+    ends: bytes
 
 
 class AllowanceDocument(msgspec.Struct, frozen=True):

@@ -42,6 +42,8 @@ RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 FaceName = Annotated[Name, Value("face")]
 ExpressionName = Annotated[Name, Value("expression")]
 ChannelName = Annotated[Name, Value("channel")]
+PoseName = Annotated[Name, Value("pose")]
+BodyName = Annotated[Name, Value("body")]
 CallSeconds = Annotated[float | None, Value("seconds", high=LONGEST_CALL, unit="s")]
 """Seconds of a call; `None`: by hand, the T-bar moves it."""
 Seconds = Annotated[float, Value("time", high=LONGEST_CALL, unit="s")]
@@ -330,7 +332,10 @@ def _numbers_of(kind: type[ClientMessage]) -> tuple[tuple[tuple[str, Value], ...
 
 def called_names(cast: Playable) -> dict[str, Mapping[str, object]]:
     """The names that commands call, by the kind of their values."""
-    return {"face": cast.faces, "expression": cast.expressions, "channel": cast.expressions, "light": LIGHTS}
+    return {
+        "face": cast.faces, "expression": cast.expressions, "channel": cast.expressions, "light": LIGHTS,
+        "pose": cast.poses, "body": cast.bodies,
+    }  # fmt: skip
 
 
 @cache

@@ -14,7 +14,15 @@ import msgspec
 
 from omote.show import cast_documents, objects
 from omote.show.access.access_documents import ACCESS_DOCUMENTS
-from omote.show.cast_documents import CompoundAsset, ContentAsset, FaceAsset, HairAsset, Manifest
+from omote.show.cast_documents import (
+    BodyAsset,
+    CompoundAsset,
+    ContentAsset,
+    FaceAsset,
+    FigureAsset,
+    HairAsset,
+    Manifest,
+)
 from omote.show.declaration import ClientMessage, Declared, Message, ServerMessage, kinds_below, tag_of
 from omote.show.objects.documents import Document
 
@@ -38,7 +46,7 @@ CLIENT_MESSAGES = declared(ClientMessage)
 SERVER_MESSAGES = declared(ServerMessage)
 BY_TAG = {tag_of(kind): kind for kind in CLIENT_MESSAGES}
 DOCUMENTS: tuple[type[msgspec.Struct], ...] = (
-    *(Manifest, FaceAsset, ContentAsset, HairAsset, CompoundAsset),
+    *(Manifest, FaceAsset, ContentAsset, HairAsset, FigureAsset, BodyAsset, CompoundAsset),
     *ACCESS_DOCUMENTS,
 )
 STRUCTS: tuple[type[msgspec.Struct], ...] = tuple(

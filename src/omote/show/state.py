@@ -13,7 +13,7 @@ import msgspec
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.complexion import check_skin_fader
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, ClipStatus, Frame, Held, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, ClipStatus, FigureFrame, Frame, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.saturation import saturate
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
@@ -24,6 +24,7 @@ from omote.show.objects.state import (
     CallState,
     CharacterState,
     ClipState,
+    FigureState,
     GazeTargetState,
     HeldState,
     LayerSource,
@@ -171,6 +172,20 @@ def character_state(
         region_calls={region: call_state_of(status) for region, status in frame.region_calls.items()},
         macros={name: MacroState(macro.value, macro.share) for name, macro in frame.macros.items()},
         pads={name: PadPointState(list(point.place), point.plays) for name, point in frame.pads.items()},
+        figure=None if frame.figure is None else figure_state(frame.figure),
+    )
+
+
+def figure_state(figure: FigureFrame) -> FigureState:
+    """A figure on the wire."""
+    return FigureState(
+        poses=dict(figure.poses),
+        regions={region: dict(mix) for region, mix in figure.regions.items()},
+        bodies=dict(figure.bodies),
+        pose_call=call_state(figure.pose_call),
+        region_calls={region: call_state_of(status) for region, status in figure.region_calls.items()},
+        body_call=call_state(figure.body_call),
+        fader=figure.fader,
     )
 
 

@@ -26,12 +26,14 @@ from omote.model.space.gain import gain_of
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts
 from omote.perform.lights import LIGHTS
 from omote.show.cast_documents import (
+    BodyAsset,
     CompoundAsset,
     ContentAsset,
     ExpressionDocument,
     FaceAsset,
     FaceDocument,
     FaceGain,
+    FigureAsset,
     HairAsset,
     HairDocument,
     Kind,
@@ -45,6 +47,7 @@ from omote.show.messages import PROTOCOL_VERSION
 from omote.show.wire import le_bytes
 from omote.showfile.contents import read_albedo
 from omote.stage_data.correctives_document import allowance_document, ball_radii, correctives_document
+from omote.stage_data.figure_documents import figure_documents
 from omote.stage_data.region_document import region_document
 
 FINEST_STEP = 1e-6
@@ -59,11 +62,12 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Documents:
-    """The manifest, and every asset of a face or a hair style by its address."""
+    """The manifest, and every asset of a face, a hair style or a figure by its address."""
 
     manifest: Manifest
     faces: dict[str, FaceAsset]
     hair: dict[str, HairAsset]
+    figures: dict[str, FigureAsset | BodyAsset]
 
 
 def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
@@ -79,6 +83,7 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         for name, asset in hair.items()
     }
     starts = first_rows(cast)
+    figures = None if cast.figures is None else figure_documents(cast.figures)
     manifest = Manifest(
         version=PROTOCOL_VERSION,
         base=cast.digest,
@@ -95,9 +100,15 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         correctives=correctives_document(cast, starts),
         regions=region_document(cast.space),
         folding=b"" if cast.folding is None else le_bytes(cast.folding, "u1"),
+        figures=None if figures is None else figures.document,
     )
     faces = {urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()}
-    return Documents(manifest, faces, hair={combed[name]: asset for name, asset in hair.items()})
+    return Documents(
+        manifest,
+        faces,
+        hair={combed[name]: asset for name, asset in hair.items()},
+        figures={} if figures is None else figures.assets,
+    )
 
 
 def content_name(data: bytes) -> str:

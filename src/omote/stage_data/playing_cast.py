@@ -11,6 +11,8 @@ from types import MappingProxyType
 
 import msgspec
 
+from omote.model.body.body import Body
+from omote.model.body.pose import Pose
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import KEY
@@ -106,6 +108,16 @@ class PlayingCast:
     def face_labels(self) -> Mapping[str, str]:
         """What the own faces are called."""
         return MappingProxyType({item.name: item.label for item in self.own if item.kind == "face"})
+
+    @property
+    def poses(self) -> Mapping[str, Pose]:
+        """The poses that can be called."""
+        return self.base.poses
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The bodies that can be called."""
+        return self.base.bodies
 
     @cached_property
     def digest(self) -> str:

@@ -12,7 +12,19 @@ def test_every_address_is_a_target() -> None:
         kinds = [value.kind for value in address.values[address.path.count("{") :] if value.default is None]
         numbers = [value.name for value in address.values if value.kind == "number" and value.default is None]
         axis = numbers[-1] if len(numbers) > 1 else None
-        named = {"face", "expression", "light", "framing", "text", "character", "speech", "gesture", "cue"} & set(kinds)
+        named = {
+            "face",
+            "expression",
+            "light",
+            "framing",
+            "text",
+            "character",
+            "speech",
+            "gesture",
+            "cue",
+            "pose",
+            "body",
+        } & set(kinds)
         arguments = ["dog"] if named and not numbers else []
         target = read_target(path, arguments, axis)
         assert target.is_level == bool({"number", "switch"} & set(kinds))

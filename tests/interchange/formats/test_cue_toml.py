@@ -30,11 +30,11 @@ from omote.perform.scene.goals import (
     WITH_FACE,
     Goal,
     Part,
-    expression_of,
     is_of_macros,
     passes,
     ranges_of,
     takes_one_number,
+    whole_of,
 )
 
 times = st.floats(0.0, 3600.0)
@@ -69,7 +69,7 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
         return dict.fromkeys(ranges, draw(st.floats(0.0, 1.0)))
     if ranges is not None:
         return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
-    if (expression_of(part) or passes(part)) and draw(st.booleans()):
+    if (whole_of(part) or passes(part)) and draw(st.booleans()):
         return WITH_FACE
     if passes(part):
         return goal_of_clip(draw(clip_calls))

@@ -12,7 +12,18 @@ from omote.perform.clips.clip import Clip, Lane
 from omote.perform.clips.motion_curve import make_curve
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_player import CuePlayer
-from omote.perform.scene.goals import CHARACTER_PARTS, MACROS, PASSING, SCENE_PARTS, Goal, Part, is_setting, ranges_of
+from omote.perform.figures.figure_axes import FigureAxes, figure_frame
+from omote.perform.scene.goals import (
+    CHARACTER_PARTS,
+    MACROS,
+    PASSING,
+    POSE_PARTS,
+    SCENE_PARTS,
+    Goal,
+    Part,
+    is_setting,
+    ranges_of,
+)
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from tests import synthetic
@@ -27,6 +38,8 @@ NAMES = {
     "face": synthetic.FACES,
     "light": ("theatre", "flat", "portrait"),
     "framing": ("*", "one", "two"),
+    **dict.fromkeys(("pose", *POSE_PARTS), synthetic.POSES),
+    "body": (*synthetic.BODIES, "own"),
 }
 LOOKS: tuple[Goal, ...] = (
     {"ahead": 1.0},
@@ -81,6 +94,8 @@ def shown(frame: SceneFrame) -> object:
     """All that cues move, without the times."""
     one = frame.characters["one"]
     played = (one.frame.faces, one.frame.expressions, one.frame.regions, one.frame.head, one.frame.gaze)
+    figure = one.frame.figure or figure_frame(FigureAxes())
+    played += (figure.poses, figure.regions, figure.bodies)
     return played, one.place, one.presence, frame.light, frame.framing, frame.black
 
 

@@ -29,7 +29,7 @@ from omote.perform.cues.cue_state import (
     without_parts,
 )
 from omote.perform.cues.tracking import tracked_after, tracked_at
-from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, regions_of
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, regions_of, whole_of
 
 PARTS = ("a/face", "a/expression", "a/brows", "b/brows", "*/light")
 GOALS: tuple[Goal, ...] = tuple({name: 1.0} for name in ("joy", "fear", "calm"))
@@ -41,7 +41,7 @@ class Goals(dict[Part, Goal]):
     """Where the parts of a stage go: an expression of a whole face takes its regions along."""
 
     def read(self, part: Part) -> Goal:
-        return self.get(part, WITH_FACE if expression_of(part) else {"first": 1.0})
+        return self.get(part, WITH_FACE if whole_of(part) else {"first": 1.0})
 
     def call(self, calls: tuple[Call, ...]) -> Goals:
         for call in calls:

@@ -8,9 +8,9 @@ from omote.perform.scene.goals import (
     WITH_FACE,
     check_goal,
     check_names,
-    expression_of,
     ranges_of,
     regions_of,
+    whole_of,
 )
 
 PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
@@ -49,7 +49,8 @@ def test_a_name_that_there_is_not_is_rejected() -> None:
 
 def test_a_region_goes_with_its_face_alone_and_a_face_takes_all_of_its_regions() -> None:
     for part in PARTS:
-        whole = expression_of(part)
+        whole = whole_of(part)
         assert whole is None or part in regions_of(whole)
-        assert (whole is not None) == (ranges_of(part) is None and part in regions_of("one/expression"))
+        regions = (*regions_of("one/expression"), *regions_of("one/pose"))
+        assert (whole is not None) == (ranges_of(part) is None and part in regions)
     assert check_goal("one/brows", WITH_FACE) == WITH_FACE

@@ -9,6 +9,7 @@ from omote.perform.mappings.mapping import MacroMapping, MacroTarget
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     PASSING,
+    POSE_PARTS,
     SCENE_PARTS,
     Goal,
     Part,
@@ -25,6 +26,9 @@ GOALS: dict[Part, Goal] = {
     "one/face": {synthetic.FACES[1]: 0.75, synthetic.FACES[0]: 0.25},
     "one/expression": {"jawOpen": 1.0},
     **{f"one/{region}": {"jawOpen": 0.5, "neutral": 0.5} for region in ("brows", "eyes", "mouth", "rest")},
+    "one/pose": {"bow": 1.0},
+    **{f"one/{part}": {"wave": 0.5, "stand": 0.5} for part in POSE_PARTS},
+    "one/body": {"broad": 0.75, "own": 0.25},
     "one/head": {"yaw": 0.3, "pitch": -0.1, "roll": 0.2},
     "one/gaze": {"yaw": 0.3, "pitch": -0.1},
     "one/place": {"x": 0.5, "depth": 1.0, "size": 2.0, "turn": -1.0},

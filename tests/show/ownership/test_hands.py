@@ -11,7 +11,7 @@ from omote.show.crew.members import LONGEST_NAME, free_name
 from omote.show.declaration import ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects import faders
-from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, Panic, ReleaseFace
+from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, FadePose, Panic, ReleaseFace
 from omote.show.objects.characters import PlaceCharacter
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.hand.macros import MoveMacro
@@ -129,7 +129,7 @@ def test_a_panic_is_news_to_others_for_a_moment() -> None:
 
 
 def t_bars() -> list[ClientMessage]:
-    return [FadeFace("one", 0.0), FadeExpression("one", 0.0)]
+    return [FadeFace("one", 0.0), FadeExpression("one", 0.0), FadePose("one", 0.0)]
 
 
 @given(st.lists(st.sampled_from(["Ana", "ana", "Ana 2", "console 1", "Ben", "7", "x" * 24])))

@@ -3,7 +3,8 @@
 Where the jaw opens, the chin passes in front of the throat, so its new place is measured on the throat
 (docs/method.md, "Extract"). People's throats lie up to 25 mm higher or lower under the chin than the generic one's, and
 an opened jaw would jump by as much. So the skin of the throat slides up or down with the jaw line above it; the neck
-keeps its girth and its depth.
+keeps its girth and its depth. Where the head ends it stays with its person, for the body goes on there: levelled to
+the rim it met the body in a crease of 87 degrees (heavy).
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array, diags_array
 from scipy.sparse.linalg import spsolve
 
+from omote.geometry.mesh import boundary_edges
 from tools.baking.heads.basemesh import Floats, Ints
 
 # Seen from the side, the generic jaw line falls from the ear to the chin; metres.
@@ -31,6 +33,7 @@ def level_throat(points: Floats, generic: Floats, triangles: Ints) -> Floats:
     points, generic: metres; triangles (t, 3).
     """
     free = _throat(generic)
+    free[_rim(triangles)] = False
     inside = np.flatnonzero(free)
     outside = np.flatnonzero(~free)
     lift = points[:, 1] - generic[:, 1]
@@ -44,6 +47,12 @@ def _throat(generic: Floats) -> NDArray[np.bool_]:
     x, y, z = generic.T
     line = CHIN_Y + SLOPE * np.clip(CHIN_Z - z, 0.0, REACH)
     return np.asarray((y < line) & (np.abs(np.arctan2(x, z - AXIS_Z)) < NAPE))
+
+
+def _rim(triangles: Ints) -> Ints:
+    """The rows at which the head ends, and those one edge away from them."""
+    ends = np.unique(boundary_edges(triangles))
+    return np.unique(triangles[np.isin(triangles, ends).any(axis=1)])
 
 
 def _laplacian(generic: Floats, triangles: Ints) -> csr_array:

@@ -14,6 +14,10 @@ from tools.baking.heads.basemesh import BaseMesh, Floats, read_target
 from tools.baking.heads.head import Head
 from tools.baking.package import Package
 
+HEIGHTS = {"minheight": 0.0, "": 0.5, "maxheight": 1.0}
+PROPORTIONS = {"uncommonproportions": 0.0, "": 0.5, "idealproportions": 1.0}
+NO_PROPORTIONS = "baby"
+"""An age for which the package has none."""
 AGES = {"baby": 0.0, "child": 0.1875, "young": 0.5, "old": 1.0}
 MUSCLES = {"minmuscle": 0.0, "averagemuscle": 0.5, "maxmuscle": 1.0}
 WEIGHTS = {"minweight": 0.0, "averageweight": 0.5, "maxweight": 1.0}
@@ -23,13 +27,18 @@ MOUTH_PARTS = ("teeth_upper", "teeth_lower", "tongue")
 
 @dataclass(frozen=True)
 class Build:
-    """MakeHuman's sliders: 0 to 1 between the named anchors above; race: shares that sum to one."""
+    """MakeHuman's sliders: 0 to 1 between the named anchors above; race: shares that sum to one.
+
+    Of bodies alone: height, 0.5 what the other sliders make; proportions, from uncommon to ideal, 0.5 neither.
+    """
 
     gender: float = 0.0
     age: float = 0.5
     muscle: float = 0.5
     weight: float = 0.5
     race: Mapping[str, float] = field(default_factory=lambda: {"caucasian": 1.0})
+    height: float = 0.5
+    proportions: float = 0.5
 
 
 @dataclass(frozen=True)
@@ -71,7 +80,13 @@ def _macro_weights(build: Build) -> dict[str, float]:
                 weights[f"macrodetails/{race}-{gender}-{age}"] = a * b * share
             for muscle, c in _shares(build.muscle, MUSCLES).items():
                 for weight, d in _shares(build.weight, WEIGHTS).items():
-                    weights[f"macrodetails/universal-{gender}-{age}-{muscle}-{weight}"] = a * b * c * d
+                    person = f"{gender}-{age}-{muscle}-{weight}"
+                    weights[f"macrodetails/universal-{person}"] = a * b * c * d
+                    for height, e in _shares(build.height, HEIGHTS).items():
+                        weights[f"macrodetails/height/{person}-{height}"] = a * b * c * d * e if height else 0.0
+                    for kind, e in _shares(build.proportions, PROPORTIONS).items():
+                        known = kind and age != NO_PROPORTIONS
+                        weights[f"macrodetails/proportions/{person}-{kind}"] = a * b * c * d * e if known else 0.0
     return {name: weight for name, weight in weights.items() if weight != 0.0}
 
 

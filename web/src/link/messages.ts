@@ -143,6 +143,39 @@ export type FadeExpression = { type: "fade_expression"; character: string; value
 export type ReleaseExpression = { type: "release_expression"; character: string };
 
 /**
+ * Brings a pose on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
+ * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: of the whole figure.
+ */
+export type CallPose = {
+  type: "call_pose";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+  region?: "head" | "trunk" | "arm_left" | "arm_right" | "stance" | null;
+};
+
+/** The position of the pose T-bar, 0..1. */
+export type FadePose = { type: "fade_pose"; character: string; value: number };
+
+/** The operator lets go of the pose T-bar. */
+export type ReleasePose = { type: "release_pose"; character: string };
+
+/**
+ * Brings a body on air in `seconds`, apart from the face; `name` "own": each face has its own again. An `id`
+ * executes once.
+ */
+export type CallBody = {
+  type: "call_body";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+};
+
+/**
  * The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
  * face. An `id` executes once: a page sends it again where its link breaks.
  */
@@ -985,7 +1018,7 @@ export type Lease = {
   type: "lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "cues" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "pose" | "place" | "light" | "framing" | "black" | "cues" | "*";
   take_over?: boolean;
 };
 
@@ -994,7 +1027,7 @@ export type ReleaseLease = {
   type: "release_lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "cues" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "pose" | "place" | "light" | "framing" | "black" | "cues" | "*";
 };
 
 /**
@@ -1738,6 +1771,21 @@ export type MacroState = { value: number; share: number };
 export type PadPointState = { place: number[]; plays: boolean };
 
 /**
+ * What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
+ * of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
+ * `fader`: where the T-bar of the poses stands, 0..1.
+ */
+export type FigureState = {
+  poses: Record<string, number>;
+  regions: Partial<Record<"head" | "trunk" | "arm_left" | "arm_right" | "stance", Record<string, number>>>;
+  bodies: Record<string, number>;
+  pose_call: CallState | null;
+  region_calls: Partial<Record<"head" | "trunk" | "arm_left" | "arm_right" | "stance", CallState>>;
+  body_call: CallState | null;
+  fader: number;
+};
+
+/**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
  * stand. `added`: to the channels, by name: what the gaze makes of lids, and below 0 what
@@ -1754,6 +1802,7 @@ export type PadPointState = { place: number[]; plays: boolean };
  * cheeks, nose, forehead, around the eyes and in the whole face, tears, sweat, and the metres that these have run;
  * empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
  * not 1.
+ * `figure`: its poses and its body, `None` while it stands and each face has its own.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1789,6 +1838,7 @@ export type CharacterState = {
   complexion: number[];
   folds: number;
   skin: Partial<Record<"folds" | "blood", number>>;
+  figure: FigureState | null;
 };
 
 /**
@@ -1979,6 +2029,25 @@ export type RegionDocument = { rows: Uint8Array; allowances: Uint8Array };
 /** A light that can be called. */
 export type LightDocument = { name: string; label: string };
 
+/** A body: where its rows are, and by how much it is drawn larger than its person is. */
+export type BodyDocument = { name: string; label: string; url: string; size: number };
+
+/**
+ * A pose (`model.body.pose`), f32 little-endian: `turns` (bones, 3) radians, `feet` (2, 3) leg lengths,
+ * `feet_turns` (2, 3) radians; `travel` leg lengths.
+ */
+export type PoseDocument = {
+  name: string;
+  label: string;
+  turns: Uint8Array;
+  travel: [number, number, number];
+  feet: Uint8Array;
+  feet_turns: Uint8Array;
+};
+
+/** The bodies and poses of a cast; `url`: where its `FigureAsset` is. */
+export type FiguresDocument = { url: string; bodies: BodyDocument[]; poses: PoseDocument[] };
+
 /**
  * All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
  * `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
@@ -2000,6 +2069,7 @@ export type Manifest = {
   correctives: CorrectivesDocument | null;
   regions: RegionDocument | null;
   folding: Uint8Array;
+  figures: FiguresDocument | null;
 };
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
@@ -2027,6 +2097,34 @@ export type HairAsset = {
   light: Uint8Array;
   fullness: Uint8Array;
 };
+
+/**
+ * What all bodies share (`model.body.figure_space`), little-endian; V rows of the head's skin, B of the body.
+ * `bones`: their names, `parents` (bones,) i32 -1 for the first; `row_bones` (V + B, 8) u8, `row_weights` u16 of
+ * 65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
+ * head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
+ * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32.
+ */
+export type FigureAsset = {
+  bones: string[];
+  parents: Uint8Array;
+  head_rows: number;
+  row_bones: Uint8Array;
+  row_weights: Uint8Array;
+  shares: Uint8Array;
+  triangles: Uint8Array;
+  edge: Uint8Array;
+  rim: number;
+  joined: Uint8Array;
+  join: Uint8Array;
+  head_joint: Uint8Array;
+  head_joint_offset: [number, number, number];
+  uvs: Uint8Array;
+  uv_rows: Uint8Array;
+};
+
+/** A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3). */
+export type BodyAsset = { positions: Uint8Array; edge: Uint8Array; joints: Uint8Array; ends: Uint8Array };
 
 /**
  * What one compound alone uses up of the correctives' limits (`perform.blending.correctives`), little-endian:
@@ -2087,6 +2185,10 @@ export type FromClient =
   | ReleaseFace
   | FadeExpression
   | ReleaseExpression
+  | CallPose
+  | FadePose
+  | ReleasePose
+  | CallBody
   | Panic
   | SetHome
   | AddCharacter

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
@@ -19,6 +20,7 @@ FRAME = (0, 0, 1024, 768)
 OF_CHARACTER = {
     "faces": ("face", "fade/face", "enter", "leave", "panic"),
     "expressions": ("expression", "fade/expression", "panic"),
+    "poses": ("pose", "fade/pose", "body"),
     "head and gaze": ("head", "gaze"),
     "pads": ("pad",),
     "layers": ("layer",),
@@ -141,5 +143,5 @@ def _captioned(control: Control, name: str) -> Control:
 
 def _tiles(controls: Sequence[Control], name: str) -> Control:
     """A page: as many columns as make its controls about square."""
-    columns = max(2, next(count for count in range(1, len(controls) + 1) if count * count * 3 >= len(controls) * 4))
+    columns = max(2, math.ceil(math.sqrt(len(controls) * 4 / 3)))
     return ui.tiles(*controls, columns=columns, gap=SPACE, pad=SPACE, name=name)

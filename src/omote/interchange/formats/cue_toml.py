@@ -24,7 +24,7 @@ from omote.perform.cues.cue_action import CueAction, check_actions
 from omote.perform.layers.layer_names import check_part
 from omote.perform.pads.blend_space import AXES
 from omote.perform.scene.clip_goals import ClipCall, clip_of_goal, goal_of_clip
-from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, passes, ranges_of, takes_one_number
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, passes, ranges_of, takes_one_number, whole_of
 from omote.perform.scene.pad_goals import PAD, is_pad_goal, point_of_goal
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
@@ -313,7 +313,7 @@ def _clip_goal(to: Mapping[str, Any]) -> Goal:
 
 def _nothing(part: Part) -> str | None:
     """The word for a goal without names, where a part can have one."""
-    return FACE if expression_of(part) else STOP if passes(part) else None
+    return FACE if whole_of(part) else STOP if passes(part) else None
 
 
 def _format_cue(cue: Cue) -> str:

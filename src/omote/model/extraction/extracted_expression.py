@@ -75,7 +75,7 @@ class ExtractedExpression(Expression):
 
     References
     ----------
-    docs/method.md, "What a compound does not say"; docs/decisions/extraction.md.
+    docs/method.md, "What a compound does not say"; docs/decisions/sheet-and-inner-skin.md.
     """
 
     uncertainty: Values = field(default_factory=lambda: np.zeros(0))

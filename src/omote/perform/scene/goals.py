@@ -11,8 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
+from omote.model.body.pose import STAND
+from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.complexion import SKIN_FADERS, SKIN_LIMIT
+from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, LAYERS, check_layer
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
@@ -60,7 +63,16 @@ CHARACTER_NUMBERS: Mapping[str, Ranges] = {
 """The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
 MACROS = "macros"
 """The part whose goal is where macros are, by name; those that it does not name stay."""
-CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look", "clip", MACROS)
+POSE = "pose"
+POSE_PART = "pose:"
+"""What the part of a region of the figure begins with: `pose:arm_left` is the pose of the left arm."""
+POSE_PARTS = tuple(f"{POSE_PART}{region}" for region in POSE_REGIONS)
+BODY = "body"
+CHARACTER_PARTS = (
+    "face", "expression", *PLAY_REGIONS, POSE, *POSE_PARTS, BODY, *CHARACTER_NUMBERS, "look", "clip", MACROS,
+)  # fmt: skip
+STANDING_MIXES: Mapping[str, Goal] = {POSE: {STAND: 1.0}, BODY: {FACES_OWN: 1.0}}
+"""Where the mixes of a figure are in a new show."""
 PASSING = ("clip",)
 """Parts that come to an end by themselves: nothing of them is left standing, so cues do not track them."""
 SCENE_PARTS = ("light", "framing", "black")
@@ -77,14 +89,17 @@ def split_part(part: Part) -> tuple[str, str]:
 
 
 def regions_of(part: Part) -> tuple[Part, ...]:
-    """The regions that go with a whole expression; none of another part."""
+    """The regions that go with a whole expression or a whole pose; none of another part."""
     character, _, name = part.rpartition("/")
-    return tuple(f"{character}/{region}" for region in PLAY_REGIONS) if name == "expression" else ()
+    regions = {"expression": PLAY_REGIONS, POSE: POSE_PARTS}.get(name, ())
+    return tuple(f"{character}/{region}" for region in regions)
 
 
-def expression_of(part: Part) -> Part | None:
-    """The whole expression that a region is one of; None of another part."""
+def whole_of(part: Part) -> Part | None:
+    """The whole expression, or the whole pose, that a region is one of; None of another part."""
     character, _, name = part.rpartition("/")
+    if name in POSE_PARTS:
+        return f"{character}/{POSE}"
     return f"{character}/expression" if name in PLAY_REGIONS else None
 
 
@@ -121,10 +136,12 @@ def takes_one_number(part: Part) -> bool:
 def first_goal(part: Part) -> Goal | None:
     """Where a part stands in a new show, of those that nobody means to set there; None for all others."""
     name = split_part(part)[1]
-    if expression_of(part) or passes(part):
+    if whole_of(part) or passes(part):
         return WITH_FACE
     if name == MACROS:
         return NOTHING_MOVED
+    if name in STANDING_MIXES:
+        return STANDING_MIXES[name]
     if name == "look":
         return AHEAD
     if name in ("springs", "skin"):
@@ -147,7 +164,7 @@ def check_goal(part: Part, goal: Goal) -> Goal:
         return {check_macro_name(name): check_within(goal[name], *MACRO_LIMITS, f"{name} of {part}") for name in goal}
     if ranges is not None:
         return _check_numbers(part, goal, ranges)
-    if not goal and (expression_of(part) or passes(part)):
+    if not goal and (whole_of(part) or passes(part)):
         return WITH_FACE
     if passes(part):
         return goal_of_clip(clip_of_goal(goal))

@@ -20,6 +20,7 @@ from omote.perform.axis import (
 from omote.perform.channels import with_channels
 from omote.perform.complexion import SKIN_FADERS, fader_at
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
@@ -33,17 +34,21 @@ from omote.perform.panic import eased, without_channels, without_turn
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.clip_goals import call_of_run, goal_of_clip
+from omote.perform.scene.figure_goals import called_figure, figure_goal, repaced_figure
 from omote.perform.scene.goals import (
+    BODY,
     LAYER,
     MACROS,
     MOTION_LIMITS,
+    POSE,
+    POSE_PARTS,
     TURN_LIMITS,
     WITH_FACE,
     Goal,
     check_names,
-    expression_of,
     is_of_macros,
     is_setting,
+    whole_of,
 )
 from omote.perform.scene.look_goals import goal_of_target, target_of_goal
 from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, MACRO_WAY, PAD_WAY, VALUE, Turning, turn_at
@@ -174,17 +179,22 @@ class SceneCharacter(Performer):
 
     def check_call(self, part: str, goal: Goal) -> None:
         """Raises ValueError for a name of a goal that the cast has not. part: with the character's name."""
+        of = part.rpartition("/")[2]
         if is_pad_goal(part, goal):
             pad, place = point_of_goal(goal)
             check_known(pad, self._pads, "pad")
-            check_point_fits(self._pads[pad], part.rpartition("/")[2], place)
-        elif part.endswith("/face"):
+            check_point_fits(self._pads[pad], of, place)
+        elif of == "face":
             check_names(goal, self._cast.faces, "face")
-        elif part.endswith("/expression") or expression_of(part):
+        elif of in (POSE, *POSE_PARTS):
+            check_names(goal, self._cast.poses, "pose")
+        elif of == BODY:
+            check_names(goal, {FACES_OWN, *self._cast.bodies}, "body")
+        elif of == "expression" or whole_of(part):
             check_names(goal, self._cast.expressions, "expression")
         elif is_of_macros(part):
             check_names(goal, self.mappings, "macro")
-        elif part.endswith("/look"):
+        elif of == "look":
             target = target_of_goal(dict(goal))
             self._check_target(self, target.kind, target.name)
 
@@ -201,6 +211,8 @@ class SceneCharacter(Performer):
             self._set(name, goal)
         elif name == MACROS:
             self._call_macros(goal, seconds, easing, pace)
+        elif name in (POSE, *POSE_PARTS, BODY):
+            self._play(figure=called_figure(self._now.figure, name, goal, seconds, easing, pace))
         else:
             self._call_mix(name, goal, seconds, easing, pace)
 
@@ -230,6 +242,8 @@ class SceneCharacter(Performer):
             return self._clip_goal()
         if name == MACROS:
             return dict(turned(name))
+        if name in (POSE, *POSE_PARTS, BODY):
+            return figure_goal(now.figure, name, mix)
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
             return WITH_FACE if own is None or _same_pad(own, now.expression) else dict(mix(own))
@@ -373,7 +387,10 @@ class SceneCharacter(Performer):
         regions = {region: repaced(on, pace) for region, on in now.regions.items()}
         face = repaced(now.face, pace)
         clips = tuple(run if run.pace is None else replace(run, pace=pace) for run in now.clips)
-        self._now = with_fields(now, face=face, expression=repaced(now.expression, pace), regions=regions, clips=clips)
+        figure = repaced_figure(now.figure, lambda on: repaced(on, pace))
+        self._now = with_fields(
+            now, face=face, expression=repaced(now.expression, pace), regions=regions, clips=clips, figure=figure
+        )
         if self.turning is not None:
             ways = {part: movement.repaced(way, pace) for part, way in self.turning.ways.items()}
             self.turning = replace(self.turning, ways=ways)

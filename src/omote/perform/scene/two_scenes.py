@@ -21,9 +21,9 @@ from omote.perform.scene.goals import (
     WITH_FACE,
     Goal,
     Part,
-    expression_of,
     rank_of,
     regions_of,
+    whole_of,
 )
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import CharacterSnapshot, SceneSnapshot, known_framings
@@ -149,7 +149,7 @@ def _wanted(scene: Scene, snapshot: SceneSnapshot, part: Part) -> object:
     character, _, name = part.rpartition("/")
     if name not in SETTINGS:
         goal = _goal(scene, snapshot, part)
-        whole = expression_of(part)
+        whole = whole_of(part)
         return goal if whole is None or goal else _goal(scene, snapshot, whole)  # a region that goes with the face
     if name == "channels":
         return scene.channels_of(character)

@@ -53,6 +53,7 @@ class CastDocuments:
         self._manifests = {cast.digest: encode(packed.manifest)}
         self.assets = {url: encode(asset) for url, asset in packed.faces.items()}
         self.assets |= {url: encode(asset) for url, asset in packed.hair.items()}
+        self.assets |= {url: encode(asset) for url, asset in packed.figures.items()}
         self.mask = mask
         self._faces: OrderedDict[str, bytes] = OrderedDict()
         self._scheduler = OrderScheduler(self._compound, cast.expressions)

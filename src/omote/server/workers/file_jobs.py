@@ -96,6 +96,8 @@ class NamedCast:
     expressions: Mapping[str, Any]
     titles: Mapping[str, Any] = field(default_factory=dict)
     face_labels: Mapping[str, str] = field(default_factory=dict)
+    poses: Mapping[str, Any] = field(default_factory=dict)
+    bodies: Mapping[str, Any] = field(default_factory=dict)
     digest: str = ""
 
 

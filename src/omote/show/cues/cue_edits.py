@@ -16,12 +16,12 @@ from omote.perform.scene.goals import (
     SCENE_PARTS,
     Goal,
     Part,
-    expression_of,
     first_goal,
     is_of_macros,
     ranges_of,
     regions_of,
     split_part,
+    whole_of,
 )
 from omote.perform.scene.pad_goals import is_pad_goal
 from omote.perform.scene.scene import Scene
@@ -282,7 +282,7 @@ def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
             check_known(each, shown, "part")
     names = [each for each in wanted if each in scene]
     kept = {part: goal for part, goal in shown.items() if part in wanted or is_of(part, names)}
-    return {part: goal for part, goal in kept.items() if part in wanted or goal or expression_of(part) not in kept}
+    return {part: goal for part, goal in kept.items() if part in wanted or goal or whole_of(part) not in kept}
 
 
 def _wanted(written: str, labels: Mapping[str, str]) -> str:

@@ -11,8 +11,8 @@ from omote.show.declaration import CallId, CharacterName, ClientMessage, Outgoin
 from omote.show.osc import PRESS, Osc, Value
 
 LeasePart = Literal[
-    "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "place", "light", "framing", "black",
-    "cues", "*",
+    "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "pose", "place", "light", "framing",
+    "black", "cues", "*",
 ]  # fmt: skip
 
 

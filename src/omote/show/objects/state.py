@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import msgspec
 
+from omote.model.body.pose_regions import PoseRegion
 from omote.model.known_names import PlayRegion
 from omote.perform.complexion import SkinFader
 from omote.perform.frame import TargetKind
@@ -149,6 +150,20 @@ class PadPointState(msgspec.Struct, frozen=True):
     plays: bool = True
 
 
+class FigureState(msgspec.Struct, frozen=True):
+    """What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
+    of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
+    `fader`: where the T-bar of the poses stands, 0..1."""
+
+    poses: dict[str, float]
+    regions: dict[PoseRegion, dict[str, float]]
+    bodies: dict[str, float]
+    pose_call: CallState | None
+    region_calls: dict[PoseRegion, CallState]
+    body_call: CallState | None
+    fader: float
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -167,6 +182,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     cheeks, nose, forehead, around the eyes and in the whole face, tears, sweat, and the metres that these have run;
     empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
     not 1.
+    `figure`: its poses and its body, `None` while it stands and each face has its own.
     """
 
     faces: dict[str, float]
@@ -202,6 +218,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     complexion: list[float] = []
     folds: float = 1.0
     skin: dict[SkinFader, float] = {}
+    figure: FigureState | None = None
 
 
 class State(ServerMessage, frozen=True):

@@ -1,0 +1,1 @@
+"""Bodies: one skeleton and one mesh below the head, of which each body is a global deformation."""

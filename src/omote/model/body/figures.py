@@ -1,0 +1,60 @@
+"""The figures of a cast: the space that all bodies share, and the bodies by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from omote.model.body.body import Body
+from omote.model.body.figure_space import FigureSpace
+from omote.model.body.pose import STAND, Pose
+from omote.model.known_names import KnownNames
+
+
+@dataclass(frozen=True, eq=False)
+class Figures:
+    """The space of figures and all bodies in it.
+
+    Parameters
+    ----------
+    space : FigureSpace
+        What they share.
+    bodies : mapping of Body
+        By name; a face without a body of its name wears the first.
+    poses : mapping of Pose
+        By name, "stand" among them, which turns nothing.
+
+    Raises
+    ------
+    ValueError
+        Where a body or a pose does not fit the space, or there is none.
+    """
+
+    space: FigureSpace
+    bodies: Mapping[str, Body]
+    poses: Mapping[str, Pose]
+
+    def __post_init__(self) -> None:
+        if not self.bodies:
+            raise ValueError("figures have no body; expected one at least")
+        bones = len(self.space.skeleton.names)
+        for name, body in self.bodies.items():
+            shapes = (body.positions.shape, body.edge.shape, body.joints.shape, body.ends.shape)
+            expected = ((self.space.body_rows, 3), (len(self.space.edge), 3), (bones, 3), (bones, 3))
+            if shapes != expected:
+                raise ValueError(f"body {name!r} has rows, edge, joints and ends of {shapes}; expected {expected}")
+        for name, pose in self.poses.items():
+            if pose.turns.shape != (bones, 3):
+                raise ValueError(f"pose {name!r} turns {len(pose.turns)} bones; expected {bones}")
+        stand = self.poses.get(STAND)
+        if stand is None or stand.turns.any() or stand.travel.any() or stand.feet.any() or stand.feet_turns.any():
+            raise ValueError(
+                f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it"
+            )
+        object.__setattr__(self, "bodies", MappingProxyType(KnownNames("body", self.bodies)))
+        object.__setattr__(self, "poses", MappingProxyType(KnownNames("pose", self.poses)))
+
+    def body_of(self, face: str) -> Body:
+        """The body that belongs to a face, by its name."""
+        return self.bodies.get(face) or next(iter(self.bodies.values()))

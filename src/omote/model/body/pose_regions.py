@@ -1,0 +1,40 @@
+"""The regions of a figure in which a pose can be called alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, get_args
+
+import numpy as np
+
+from omote.arrays import Mask
+from omote.model.body.skeleton import Skeleton
+
+PoseRegion = Literal["head", "trunk", "arm_left", "arm_right", "stance"]
+POSE_REGIONS: tuple[PoseRegion, ...] = get_args(PoseRegion)
+"""The neck belongs to the head, a clavicle to its arm; the stance is hips, legs and where feet are."""
+
+
+def check_pose_region(name: str, /) -> PoseRegion:
+    """The region of this name; ValueError where there is none."""
+    for region in POSE_REGIONS:
+        if region == name:
+            return region
+    raise ValueError(f"there is no region {name!r} of a pose; expected one of {', '.join(POSE_REGIONS)}")
+
+
+def region_of_bone(bone: str) -> PoseRegion:
+    """The region that a bone belongs to, by its name."""
+    if bone.startswith(("head", "neck")):
+        return "head"
+    if bone.startswith("spine"):
+        return "trunk"
+    if bone.startswith(("root", "pelvis", "upperleg", "lowerleg", "foot", "toes")):
+        return "stance"
+    return "arm_left" if bone.endswith(".L") else "arm_right"
+
+
+def region_bones(skeleton: Skeleton) -> Mapping[PoseRegion, Mask]:
+    """Which bones (J,) belong to each region."""
+    of = [region_of_bone(name) for name in skeleton.names]
+    return {region: np.array([each == region for each in of]) for region in POSE_REGIONS}

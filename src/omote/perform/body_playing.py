@@ -1,0 +1,143 @@
+"""The part of a performer that has a body: poses and bodies are called as expressions and faces are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from omote.model.body.pose_regions import check_pose_region
+from omote.perform import axis
+from omote.perform.axis import Axis, call_regions, move_with_face
+from omote.perform.called_mix import start_call
+from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.figure_axes import FACES_OWN, FigureAxes
+from omote.perform.limits import check_call_seconds, check_within
+from omote.perform.skin_playing import SkinPlaying
+
+
+class BodyPlaying(SkinPlaying):
+    """Plays poses and bodies."""
+
+    def call_pose(
+        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+    ) -> None:
+        """Brings a pose on air from whatever the figure does, all of it or in one region.
+
+        A region that has been called alone keeps its own until the whole figure is called again.
+
+        Parameters
+        ----------
+        name : str
+            One of the cast's poses; "stand" is the one at rest.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_pose`.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+        region : {"head", "trunk", "arm_left", "arm_right", "stance"}, optional
+            Where alone it is called, in its own time: no T-bar moves it, so `math.inf` is none for it.
+
+        Raises
+        ------
+        ValueError
+            On a name, an easing or a region that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_pose("bow", seconds=2)
+        >>> sorted(performer.advance(1.0).figure.poses)
+        ['bow', 'stand']
+
+        References
+        ----------
+        docs/method.md, "Poses".
+        """
+
+        def call(on: Axis) -> Axis:
+            return start_call(on, self._cast.poses, name, "pose", seconds, easing)
+
+        figure = self._now.figure or FigureAxes()
+        if region is None:
+            called = replace(
+                figure, pose=call(figure.pose), regions=call_regions(figure.regions, figure.pose, call)
+            )  # fmt: skip
+        else:
+            where = check_pose_region(region)
+            check_call_seconds(seconds)  # no T-bar moves a region
+            called = replace(figure, regions={**figure.regions, where: call(figure.regions.get(where, figure.pose))})
+        self._play(figure=called)
+
+    def fade_pose(self, x: float) -> None:
+        """Moves the T-bar of the poses; it takes over the call once it has passed its progress (pick-up).
+
+        Parameters
+        ----------
+        x : float
+            Where it stands, 0 to 1.
+
+        Raises
+        ------
+        ValueError
+            Where it cannot stand.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_pose("bow", seconds=math.inf)
+        >>> performer.fade_pose(0.5)
+        >>> round(performer.advance(1.0).figure.poses["bow"], 3)
+        0.5
+        """
+        hand = check_within(x, 0.0, 1.0, "the pose T-bar")
+        figure = self._now.figure or FigureAxes()
+        regions = move_with_face(figure.regions, figure.pose, lambda on: axis.faded(on, hand))
+        self._play(figure=replace(figure, pose=axis.faded(figure.pose, hand), regions=regions))
+
+    def release_pose(self) -> None:
+        """Lets go of the T-bar of the poses: a timed call goes on from where it is, a call by hand stays.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_pose("bow", seconds=1.0)
+        >>> performer.release_pose()
+        >>> performer.advance(1.0).figure.poses["bow"]
+        1.0
+        """
+        figure = self._now.figure or FigureAxes()
+        regions = move_with_face(figure.regions, figure.pose, axis.released)
+        self._play(figure=replace(figure, pose=axis.released(figure.pose), regions=regions))
+
+    def call_body(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+        """Brings a body on air apart from the face, or gives each face its own again.
+
+        Parameters
+        ----------
+        name : str
+            One of the cast's bodies; "own" for those of the faces on air, which it follows from then on.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a name or an easing that there is not, and on seconds out of range.
+        TypeError
+            On seconds that are no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.call_body("heavy", seconds=0)
+        >>> dict(performer.advance(0.0).figure.bodies)
+        {'heavy': 1.0}
+        """
+        figure = self._now.figure or FigureAxes()
+        check_call_seconds(seconds)  # no T-bar moves it
+        names = {FACES_OWN: None, **self._cast.bodies}
+        self._play(figure=replace(figure, body=start_call(figure.body, names, name, "body", seconds, easing)))

@@ -1,0 +1,45 @@
+"""The weighted average of poses: rotation vectors, hips and feet are summed as faces and expressions are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from omote.arrays import Mask, Values
+from omote.model.body.pose import Pose
+from omote.model.body.pose_regions import PoseRegion
+from omote.perform.mix import Weights
+
+
+@dataclass(frozen=True, eq=False)
+class MixedPose:
+    """turns (J, 3), travel (3,), feet (2, 3), feet_turns (2, 3): as of `Pose`."""
+
+    turns: Values
+    travel: Values
+    feet: Values
+    feet_turns: Values
+
+
+def mix_poses(
+    poses: Mapping[str, Pose], weights: Weights, regions: Mapping[PoseRegion, Weights], bones: Mapping[PoseRegion, Mask]
+) -> MixedPose:
+    """The sum of poses by their weights; regions that show another mix have theirs.
+
+    Rotation vectors are summed, not turned along the shortest way: a sum of two poses never leaves the box of a joint's
+    angles in which both lie, and an arm does not swing through the side that shoulders forbid.
+
+    poses: by name; weights: by name, of those that weigh something; regions: the weights of each that has its own;
+    bones: which belong to each region (`region_bones`).
+    """
+    turns = _sum(poses, weights, "turns")
+    for region, own in regions.items():
+        turns[bones[region]] = _sum(poses, own, "turns")[bones[region]]
+    standing = regions.get("stance", weights)
+    return MixedPose(turns, *(_sum(poses, standing, what) for what in ("travel", "feet", "feet_turns")))
+
+
+def _sum(poses: Mapping[str, Pose], weights: Weights, what: str) -> Values:
+    return np.asarray(sum(weight * getattr(poses[name], what) for name, weight in weights.items()))

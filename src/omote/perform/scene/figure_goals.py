@@ -1,0 +1,53 @@
+"""The goals of a figure: its pose, the poses of its regions, and its body, read and called."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from omote.model.body.pose_regions import check_pose_region
+from omote.perform.axis import Axis, call_regions, called_to_mix, goal_of, with_pace
+from omote.perform.figures.figure_axes import FigureAxes
+from omote.perform.scene.goals import BODY, POSE, POSE_PART, WITH_FACE, Goal
+
+
+def figure_goal(figure: FigureAxes | None, name: str, mix: Callable[[Axis], Goal]) -> Goal:
+    """Where a part of a figure goes, or what it shows; nothing for a region that goes with the whole figure.
+
+    figure: as it is; name: pose, pose:arm_left and the other regions, or body; mix: what is read of an axis.
+    """
+    here = figure or FigureAxes()
+    if name == BODY:
+        return dict(mix(here.body))
+    if name == POSE:
+        return dict(mix(here.pose))
+    own = here.regions.get(check_pose_region(name.removeprefix(POSE_PART)))
+    return WITH_FACE if own is None else dict(mix(own))
+
+
+def called_figure(
+    figure: FigureAxes | None, name: str, goal: Goal, seconds: float, easing: str, pace: float | None
+) -> FigureAxes:
+    """The figure with a part of it called to a goal. figure, name: as of `figure_goal`; goal, seconds, easing and pace:
+    as of `Scene.call_goal`."""
+    here = figure or FigureAxes()
+
+    def call(on: Axis) -> Axis:
+        return with_pace(called_to_mix(on, goal or goal_of(here.pose), seconds, easing), pace)
+
+    if name == BODY:
+        return replace(here, body=call(here.body))
+    if name == POSE:
+        return replace(here, pose=call(here.pose), regions=call_regions(here.regions, here.pose, call))
+    region = check_pose_region(name.removeprefix(POSE_PART))
+    if not goal and region not in here.regions:
+        return here  # it goes with the whole figure already
+    return replace(here, regions={**here.regions, region: call(here.regions.get(region, here.pose))})
+
+
+def repaced_figure(figure: FigureAxes | None, repace: Callable[[Axis], Axis]) -> FigureAxes | None:
+    """The figure with all that is called of it at another pace. repace: of an axis."""
+    if figure is None:
+        return None
+    regions = {region: repace(on) for region, on in figure.regions.items()}
+    return FigureAxes(repace(figure.pose), regions, repace(figure.body))

@@ -1,0 +1,68 @@
+"""Figures in motion: feet that stay, joints that keep to their boxes, calls without a jump."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import omote
+from omote.builtin import load_figures
+from omote.model.body.pose import STAND
+from omote.model.body.pose_regions import region_bones
+from omote.model.body.skeleton import SIDES
+from omote.perform.figures.figure import HEAD_SHARES, pose_figure, resting_figure, skin_figure, turn_head
+from omote.perform.figures.pose_mix import mix_poses
+
+FIGURES = load_figures()
+CAST = omote.load_cast()
+SPACE = FIGURES.space
+BONES = region_bones(SPACE.skeleton)
+POSES = [*FIGURES.poses]
+mixes = st.dictionaries(st.sampled_from(POSES), st.floats(0.01, 1.0), min_size=1, max_size=4).map(
+    lambda mix: {name: weight / sum(mix.values()) for name, weight in mix.items()}
+)
+
+
+def resting(face: str, body: str):
+    return resting_figure(FIGURES, {body: 1.0}, CAST.faces[face].positions.astype(np.float64))
+
+
+RESTING = {body: resting("kaori", body) for body in ("generic", "child", "heavy", "gaunt")}
+
+
+@given(mixes, st.sampled_from([*RESTING]))
+def test_ankles_are_where_the_mix_of_poses_puts_them_and_bones_keep_their_lengths(mix: dict, body: str) -> None:
+    figure = RESTING[body]
+    pose = mix_poses(FIGURES.poses, mix, {}, BONES)
+    standing = pose_figure(SPACE, figure, mix_poses(FIGURES.poses, {STAND: 1.0}, {}, BONES))
+    posed = pose_figure(SPACE, figure, pose)
+    for number, side in enumerate(SIDES):
+        ankle = SPACE.skeleton.places[f"foot.{side}"]
+        wanted = standing.joints[ankle] + pose.feet[number] * figure.leg
+        hip = posed.joints[SPACE.skeleton.places[f"upperleg01.{side}"]]
+        if np.linalg.norm(wanted - hip) < 0.99 * figure.leg:
+            np.testing.assert_allclose(posed.joints[ankle], wanted, atol=1e-7)
+    parents = SPACE.skeleton.parents
+    lengths = [np.linalg.norm(each - each[parents], axis=1)[1:] for each in (posed.joints, figure.joints)]
+    np.testing.assert_allclose(lengths[0], lengths[1], atol=1e-9)
+
+
+@settings(max_examples=20)
+@given(st.tuples(*[st.floats(-0.8, 0.8)] * 3))
+def test_neck_and_spine_share_the_turn_of_the_head(head: tuple[float, float, float]) -> None:
+    assert sum(HEAD_SHARES.values()) == pytest.approx(1.0)
+    still = np.zeros((len(SPACE.skeleton.names), 3))
+    turned = turn_head(SPACE.skeleton, still, np.array(head))
+    np.testing.assert_allclose(turned.sum(axis=0), head, atol=1e-12)
+
+
+def test_a_skinned_figure_has_its_head_on_its_neck() -> None:
+    figure = RESTING["heavy"]
+    bones = pose_figure(SPACE, figure, mix_poses(FIGURES.poses, {"bow": 1.0}, {}, BONES))
+    rows = skin_figure(SPACE, figure, bones)
+    edges = np.linalg.norm(np.diff(rows[SPACE.triangles[:, :2]], axis=1)[:, 0], axis=1)
+    before = np.linalg.norm(np.diff(figure.rows[SPACE.triangles[:, :2]], axis=1)[:, 0], axis=1)
+    rim = np.isin(SPACE.triangles, SPACE.rim_rows).any(axis=1)
+    assert (edges[rim] < 1.5 * before[rim] + 1e-3).all()  # no gap opens

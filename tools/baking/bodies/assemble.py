@@ -1,0 +1,99 @@
+"""Assembles the arrays of figures.npz from the published files (their list: omote.builtin.figurefile)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import numpy as np
+
+from omote.builtin.figurefile import FIGURE_FORMAT, STEPS_OF_A_METRE
+from omote.geometry.ramp import smooth_ramp
+from omote.model.body.skeleton import SIDES
+from tools.baking.assemble import Arrays
+from tools.baking.bodies.builds import FIGURES
+from tools.baking.bodies.figure_cut import FigureCut, cut_figure, figure_points
+from tools.baking.bodies.neck_join import find_join
+from tools.baking.bodies.rig import Rig, read_rig, row_weights
+from tools.baking.heads.basemesh import BaseMesh, Floats
+from tools.baking.heads.head import Head
+from tools.baking.heads.person import person_points
+from tools.baking.package import Package
+
+HEAD_JOINT_BAND = 0.008
+"""Metres above and below the joint that the head turns on: the rows of the head there carry it on every face."""
+
+LINEAR_AROUND = {"upperarm01": (0.09, 0.17), "upperleg01": (0.14, 0.24)}
+"""Around which joints of the generic body (1.67 m) linear blending moves the skin, and from where on dual quaternions
+do, metres: those swell a raised shoulder by 44 % (linear 19 %)."""
+
+
+def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[str], None]) -> Arrays:
+    """All arrays of figures.npz.
+
+    package: the published files; base, head: the base mesh and the head cut from it; step: is called with each body.
+    """
+    cut = cut_figure(base, head)
+    rig = read_rig(package, base)
+    generic = figure_points(cut, head, base.points)
+    joined, join = find_join(cut, generic)
+    bones, weights = row_weights(rig, cut)
+    joint = head.metres(rig.joints(base.points))[rig.skeleton.places["head"]]
+    band = np.flatnonzero(np.abs(generic[: cut.head_rows, 1] - joint[1]) < HEAD_JOINT_BAND)
+    names = json.dumps({"bones": rig.skeleton.names, "bodies": [*FIGURES]})
+    arrays: Arrays = {
+        "format": np.array(FIGURE_FORMAT),
+        "about": np.frombuffer(names.encode(), np.uint8),
+        "parents": rig.skeleton.parents,
+        "triangles": cut.triangles,
+        "head_rows": np.array(cut.head_rows),
+        "edge": cut.edge,
+        "rim": np.array(cut.rim),
+        "bones": bones.astype(np.uint8),
+        "weights": np.rint(weights * np.iinfo(np.uint16).max).astype(np.uint16),
+        "shares": np.rint(dual_shares(rig, generic, head.metres(base.points)) * np.iinfo(np.uint8).max).astype(
+            np.uint8
+        ),
+        "joined": joined,
+        "join": join.astype(np.float32),
+        "head_joint": band.astype(np.int32),
+        "head_joint_offset": joint - generic[band].mean(axis=0),
+        "uvs": cut.uvs,
+        "uv_rows": cut.uv_rows,
+    }
+    for name in FIGURES:
+        arrays |= body_arrays(name, package, base, head, cut, rig)
+        step(name)
+    return arrays
+
+
+def dual_shares(rig: Rig, generic: Floats, points: Floats) -> Floats:
+    """How much of each row's move (V + B,) dual quaternions make: none near shoulders and hips, all of it elsewhere.
+
+    rig: of the figure; generic (V + B, 3): the generic figure; points: the generic base mesh, metres both.
+    """
+    joints = rig.joints(points)
+    shares = np.ones(len(generic))
+    for bone, (near, far) in LINEAR_AROUND.items():
+        for side in SIDES:
+            way = np.linalg.norm(generic - joints[rig.skeleton.places[f"{bone}.{side}"]], axis=1)
+            shares = np.minimum(shares, smooth_ramp(near, far, way))
+    return np.asarray(shares)
+
+
+def body_arrays(name: str, package: Package, base: BaseMesh, head: Head, cut: FigureCut, rig: Rig) -> Arrays:
+    """The rows, edge, joints and ends of one body, in steps of a metre. name: of `FIGURES`; the rest as of
+    `figure_arrays`."""
+    person = FIGURES[name].as_person(name)
+    points = person_points(person, package, base, head)
+    rows = figure_points(cut, head, points)
+    found = {
+        "positions": rows[cut.head_rows :],
+        "edge": rows[cut.edge],
+        "joints": head.metres(rig.joints(points)),
+        "ends": head.metres(rig.ends(points)),
+    }
+    packed = {what: np.rint(values * STEPS_OF_A_METRE).astype(np.int16) for what, values in found.items()}
+    return {f"body/{name}/{what}": values for what, values in packed.items()} | {
+        f"body/{name}/size": np.array(person.size)
+    }
