@@ -38,6 +38,7 @@ const CALM: CharacterState = {
   complexion: [],
   folds: 1,
   skin: {},
+  figure: null,
 };
 const REST: State = {
   type: "state",
