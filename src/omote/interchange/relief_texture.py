@@ -13,10 +13,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
 from omote.arrays import Picture, Points
-from omote.geometry import mesh
 from omote.geometry.ramp import smooth_ramp
-from omote.geometry.strain import UP
-from omote.geometry.texture import MARGIN, paint
+from omote.geometry.texture import MARGIN
 from omote.interchange.skin_texture import Canvas, grown_of, lips_of, paint_skin
 from omote.model.albedo import decode_light, encode_light
 from omote.model.cast import Look
@@ -40,11 +38,10 @@ _LAYERS = ("level_folds", "upright_folds")
 
 class Folds(NamedTuple):
     """The folds of a look as deep as they get. picture (k, k, 4): the skin with their grooves, sRGB, and how much it
-    covers; relief (k, k, 3): the normals of both; depth (2, k, k): how deep lines that run level and upright are;
+    covers; depth (2, k, k): how deep lines that run level and upright are;
     turn (2, k, k, 2): the way across them, level and upright parts."""
 
     picture: Picture
-    relief: Picture
     depth: Values
     turn: Values
 
@@ -57,17 +54,15 @@ def paint_relief(canvas: Canvas, look: Look, /) -> Picture:
     return encode_normals(_fine_slopes(canvas, look))
 
 
-def paint_folds(canvas: Canvas, look: Look, points: Points, uv: Values, triangles: NDArray[np.integer], /) -> Folds:
+def paint_folds(canvas: Canvas, look: Look, /) -> Folds:
     """Paints the folds of a look as deep as expressions press them at most.
 
-    canvas: of the cast; look: whose skin; points (n, 3), uv (n, 2), triangles (t, 3): the face, split as its
-    texture is.
+    canvas: of the cast; look: whose skin.
     """
     lips, _ = lips_of(canvas, look)
     fur = look.fur * (1.0 - lips)
     bare = (1.0 - grown_of(canvas) * look.scalp) * (1.0 - look.lacquer) * (1.0 - 0.6 * lips)
-    along = _texture_frames(points, uv, triangles, len(canvas.hair))
-    slopes = np.zeros((*canvas.hair.shape, 2), np.float32)
+    steep = np.zeros((*canvas.hair.shape, 2), np.float32)
     groove = np.zeros_like(canvas.hair)
     depths = list[Values]()
     ways = list[Values]()
@@ -81,21 +76,19 @@ def paint_folds(canvas: Canvas, look: Look, points: Points, uv: Values, triangle
             [np.cos(turn), np.sin(turn)] if name == "upright_folds" else [-np.sin(turn), np.cos(turn)], axis=-1
         )
         slope = (layer[..., 0] - 0.5) * 2.0 * STEEPEST_FOLD * depth
-        slopes += np.einsum("ijab,ijb->ija", along, way * slope[..., None])
+        steep += way * slope[..., None]
         groove = np.maximum(groove, layer[..., 1] * depth)
         depths.append(layer[..., 1] * depth)
         ways.append(way)
-    slopes /= np.sqrt(1.0 + (slopes**2).sum(axis=-1, keepdims=True))  # softly below 1
+    steep /= np.sqrt(1.0 + (steep**2).sum(axis=-1, keepdims=True))  # softly below 1
     groove = np.clip(groove, 0.0, 1.0)[..., None]
     left = 1.0 + (GROOVE + (GROOVE_OF_FUR - GROOVE) * fur[..., None] - 1.0) * groove
     skin = encode_light(decode_light(_at_size(paint_skin(canvas, look), len(canvas.hair))) * left)
-    cover = np.clip(np.maximum(groove, np.linalg.norm(slopes, axis=-1, keepdims=True) / COVERED), 0.0, 1.0)
+    cover = np.clip(np.maximum(groove, np.linalg.norm(steep, axis=-1, keepdims=True) / COVERED), 0.0, 1.0)
     alpha = np.rint(255.0 * cover).astype(np.uint8)
-    relief = encode_normals(_fine_slopes(canvas, look) + slopes)
     far = ~binary_dilation(alpha[..., 0] > 0, iterations=MARGIN)
     skin[far] = skin[~far].mean(axis=0) if not far.all() else 0  # what nobody sees takes no bytes
-    relief[far] = (128, 128, 255)
-    return Folds(np.concatenate([skin, alpha], axis=2), relief, np.stack(depths), np.stack(ways))
+    return Folds(np.concatenate([skin, alpha], axis=2), np.stack(depths), np.stack(ways))
 
 
 def encode_normals(slopes: Values, /) -> Picture:
@@ -139,18 +132,6 @@ def _texture_ways(points: Points, uv: Values, triangles: NDArray[np.integer]) ->
         for corner in range(3):
             np.add.at(total, triangles[:, corner], way)
     return _unit(totals[0]), _unit(totals[1])
-
-
-def _texture_frames(points: Points, uv: Values, triangles: NDArray[np.integer], size: int) -> Values:
-    """How the columns and rows of the texture lie to what is level and upright on the skin (size, size, 2, 2)."""
-    normals = mesh.normals(points, triangles.astype(np.int32))
-    level = _unit(np.cross(UP, normals))
-    upright = np.cross(normals, level)
-    found = np.zeros((size, size, 2, 2), np.float32)
-    for row, way in enumerate(_texture_ways(points, uv, triangles)):
-        for column, axis in enumerate((level, upright)):
-            found[..., row, column] = paint((way * axis).sum(axis=1), uv, triangles, size)
-    return found
 
 
 def _unit(vectors: Points) -> Points:

@@ -99,14 +99,23 @@ def vrm_bytes(
 
 
 def _stand(scene: ExportScene, skeleton: Skeleton) -> ExportScene:
-    """The scene on its feet; each shape keeps the targets that move it, and no tangents, which VRM does not take."""
+    """The scene on its feet; each shape keeps the targets that move it, and no relief: it needs tangents, which VRM
+    does not take."""
     return replace(scene, shapes=[_placed(shape, skeleton.shift) for shape in scene.shapes], apart=True)
 
 
 def _placed(shape: Shape, shift: Points) -> Shape:
     points = shape.points.astype(np.float64) + shape.place + shift
     targets = {name: target for name, target in shape.targets.items() if target.moves.any()}
-    return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets, tangents=None)
+    material = shape.material if shape.material.relief is None else replace(shape.material, relief=None)
+    return replace(
+        shape,
+        points=points.astype(np.float32),
+        place=(0.0, 0.0, 0.0),
+        targets=targets,
+        tangents=None,
+        material=material,
+    )
 
 
 def _encode(scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]) -> bytes:

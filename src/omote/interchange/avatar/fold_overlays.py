@@ -107,7 +107,7 @@ def build_overlays(
     folding = cast.folding if cast.folding is not None and look.lacquer < 1.0 else np.zeros(len(rest), np.uint8)
     most = np.maximum(folding / 255.0 * RANGE[1], RANGE[0])
     triangles = fans_of(cast.space.triangles, folding > 0)
-    folds = paint_folds(context.canvas, look, skin.points.astype(np.float64), skin.uv, skin.triangles)
+    folds = paint_folds(context.canvas, look)
     texels = np.argwhere(folds.picture[::EVERY, ::EVERY, 3] > SEEN) * EVERY
     _, nearest = cKDTree(skin.uv).query((texels[:, ::-1] + 0.5) / len(folds.picture), workers=1)
     rows = skin.rows[nearest]
@@ -128,7 +128,7 @@ def _surfaces(places: Points, skin: Shape, folds: Folds, nearest: Indices) -> tu
     touched = skin.triangles[folded[skin.triangles].any(axis=1)]
     parts = _part_of(places[touched].mean(axis=1))
     picture = png_bytes(folds.picture)
-    material = replace(skin.material, picture=picture, relief=png_bytes(folds.relief), cut=0.0, shown=0.0)
+    material = replace(skin.material, picture=picture, cut=0.0, shown=0.0)
     return tuple(
         _surface(skin, touched[parts == at], replace(material, name=f"{PREFIX}{name}"))
         for at, name in enumerate(PARTS)
