@@ -47,4 +47,4 @@ def test_the_three_files_are_put_in_place(
     monkeypatch.setattr(bake, "TARGET", tmp_path)
     assert bake.main() == 0
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {"cast.npz": b"cast", "mask.png": b"mask"}
-    assert "17 faces, 117 expressions, 15 hair styles: cast.npz" in capsys.readouterr().out
+    assert "17 faces, 117 expressions, 15 hair styles, 17 bodies: cast.npz" in capsys.readouterr().out
