@@ -157,7 +157,9 @@ def test_an_eyeball_turns_by_its_own_joint(tmp_path: Path) -> None:
 def test_pictures_lie_beside_the_stage_or_in_its_package(tmp_path: Path) -> None:
     scene = build_scene(context(), "broad", [])
     beside = usd_files(scene, "aunt", ".usda")
-    pictures = {shape.material.name: shape.material.picture for shape in scene.shapes}
+    materials = [shape.material for shape in scene.shapes]
+    pictures = {material.name: material.picture for material in materials}
+    pictures |= {f"{material.name}_relief": material.relief for material in materials if material.relief is not None}
     assert beside == {"aunt.usda": beside["aunt.usda"]} | {f"aunt.{n}.png": data for n, data in pictures.items()}
     assert all(f"@./{name}@".encode() in beside["aunt.usda"] for name in [*beside][1:])
     assert [*usd_files(scene, "aunt", ".usdz")] == ["aunt.usdz"]
