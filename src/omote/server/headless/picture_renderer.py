@@ -434,6 +434,8 @@ def query(setting: Setting) -> str:
         words["transparent"] = "1"
     if not setting.hair:
         words["hair"] = "0"
+    if setting.framing:
+        words["shot"] = setting.framing
     return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 

@@ -186,16 +186,22 @@ vec3 lit(Layers layers, Ground at, float open) {
  */
 export const SURFACE = `
 uniform sampler2D roots; // how densely hair grows at each row
+#ifdef FIGURE
+vec3 placeAt(int row) { return texelFetch(figurePositions, texelOf(row), 0).xyz; }
+vec3 normalAt(int row) { return texelFetch(figureNormals, texelOf(row), 0).xyz; }
+#else
+vec3 placeAt(int row) { return rowAt(row); }
+vec3 normalAt(int row) { return texelFetch(normals, texelOf(row), 0).xyz; }
+#endif
 #ifdef CURVED
 in vec3 rows;
 in vec3 shares;
 
-vec3 normalAt(int row) { return texelFetch(normals, texelOf(row), 0).xyz; }
 vec3 besides(vec3 point, vec3 corner, vec3 normal) { return dot(point - corner, normal) * normal; }
 
 vec3 surface(out vec3 normal) {
   ivec3 at = ivec3(rows + 0.5);
-  vec3 a = rowAt(at.x), b = rowAt(at.y), c = rowAt(at.z);
+  vec3 a = placeAt(at.x), b = placeAt(at.y), c = placeAt(at.z);
   vec3 na = normalAt(at.x), nb = normalAt(at.y), nc = normalAt(at.z);
   normal = shares.x * na + shares.y * nb + shares.z * nc;
   vec3 point = shares.x * a + shares.y * b + shares.z * c;
@@ -210,8 +216,9 @@ float grown() {
 float grown() { return texelFetch(roots, texelOf(int(source + 0.5)), 0).r; }
 
 vec3 surface(out vec3 normal) {
-  normal = fetchRow(normals);
-  return fetchRow(positions);
+  int row = int(source + 0.5);
+  normal = normalAt(row);
+  return placeAt(row);
 }
 #endif
 `;
@@ -309,9 +316,18 @@ float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
 void main() {
   vec3 normal;
   vec3 here = surface(normal);
+#ifdef FIGURE
+  vec3 point = here; // its bones have turned it
+#ifdef CURVED
+  here = rowAt(int(rows.x + 0.5));
+#else
+  here = fetchRow(positions);
+#endif
+#else
   vec3 point = turned(here, traits.x);
-  float light = traits.w * entering(here);
   normal = turnedNormal(normal, traits.x);
+#endif
+  float light = traits.w * entering(here);
   float open = openness(traits.y);
   float haired = grown();
 #ifdef FAST
