@@ -119,7 +119,8 @@ def grid(
     from omote.stage_data.picture_request import GridRequest
 
     request = GridRequest(
-        faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, framing=framing, size=size, light=light,
+        faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, framing=framing,
+        size=size, light=light,
         background=background, transparent=transparent, quality=quality, hair=hair, mask=mask, luminance=luminance,
         contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip

@@ -1,7 +1,7 @@
 /** Shaders of the body below the head: bare hands, shoes, and a plain suit that ends as a roll around the neck. */
 
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
-import { SURFACE } from "../skin/skin_shaders";
+import { POSED_SURFACE } from "../skin/skin_shaders";
 
 /** How far cloth lies on the skin, metres. */
 const THICK = "0.003";
@@ -12,7 +12,7 @@ const ROUND = "0.006";
 
 export const BODY_VERTEX = `${VERTEX_HEAD}
 in vec3 parts; // hand and shoe, 0..1, and metres above the head's rim
-${SURFACE}
+${POSED_SURFACE}
 out vec3 vPoint;
 out vec3 vNormal;
 out vec3 vParts;

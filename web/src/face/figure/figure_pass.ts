@@ -5,6 +5,7 @@ import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
 import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { BONE_TEXELS, edgeFragment, figureFragment, MOST_BODIES } from "./figure_shaders";
+import { dressed } from "./suit";
 
 /** Where one figure is drawn to; everything that is drawn of it reads positions and normals. */
 export interface FigureTarget {
@@ -91,10 +92,11 @@ export class FigurePass {
     for (const frame of [positionFrame, normalFrame]) this.gl.deleteFramebuffer(frame);
   }
 
-  /** The layer of a body, which is uploaded when it is asked for first. */
-  layerOf(name: string, { positions }: Body): number {
+  /** The layer of a body, which is uploaded in its suit when it is asked for first. */
+  layerOf(name: string, body: Body): number {
     const layer = this.layers.get(name);
     if (layer !== undefined) return layer;
+    const positions = dressed(this.space, body);
     const next = this.layers.size;
     const texels = new Float32Array(4 * ROW_WIDTH * this.bodyLines);
     for (let row = 0; 3 * row < positions.length; row++) texels.set(positions.subarray(3 * row, 3 * row + 3), 4 * row);

@@ -180,19 +180,11 @@ vec3 lit(Layers layers, Ground at, float open) {
 }
 `;
 
-/**
- * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
- * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
- */
-export const SURFACE = `
+/** The code of a surface whose rows and normals are in these textures. */
+const surfaceOf = (positions: string, normals: string): string => `
 uniform sampler2D roots; // how densely hair grows at each row
-#ifdef FIGURE
-vec3 placeAt(int row) { return texelFetch(figurePositions, texelOf(row), 0).xyz; }
-vec3 normalAt(int row) { return texelFetch(figureNormals, texelOf(row), 0).xyz; }
-#else
-vec3 placeAt(int row) { return rowAt(row); }
-vec3 normalAt(int row) { return texelFetch(normals, texelOf(row), 0).xyz; }
-#endif
+vec3 placeAt(int row) { return texelFetch(${positions}, texelOf(row), 0).xyz; }
+vec3 normalAt(int row) { return texelFetch(${normals}, texelOf(row), 0).xyz; }
 #ifdef CURVED
 in vec3 rows;
 in vec3 shares;
@@ -224,6 +216,19 @@ vec3 surface(out vec3 normal) {
 `;
 
 /**
+ * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
+ * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
+ */
+export const SURFACE = surfaceOf("positions", "normals");
+
+/** The same of skin that a body carries: its rows are where the figure has them. */
+export const POSED_SURFACE = `
+#ifdef FIGURE${surfaceOf("figurePositions", "figureNormals")}
+#else${SURFACE}
+#endif
+`;
+
+/**
  * `layer(picture)`: a painted layer at this pixel. SHARPEN: where the skin is seen at a slant, the texels of one level
  * finer at most, for trilinear filtering blurs as far across the slant as along it, and lines are lost.
  */
@@ -251,7 +256,7 @@ in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair on who wears none, light at the neck
 in float behind; // metres behind the lips
 uniform ivec4 lipRows; // right and left corner, the middle of the upper and of the lower edge
-${SURFACE}
+${POSED_SURFACE}
 #ifdef FAST
 uniform float scalp;
 uniform vec3 hair;
