@@ -57,10 +57,10 @@ def drawn_mix(names: list[str], count: int, rng: np.random.Generator) -> dict[st
 
 
 def bare_rows(cast: Cast) -> Mask:
-    """The rows that no suit spans: those of neither trunk nor hips, and those that follow the head."""
+    """The rows that no suit spans: those of neither trunk, hips nor toes, and those that follow the head."""
     assert cast.figures is not None
     space = cast.figures.space
-    spanned = [name.startswith(("root", "spine", "pelvis", "upperleg01")) for name in space.skeleton.names]
+    spanned = [name.startswith(("root", "spine", "pelvis", "upperleg01", "toes")) for name in space.skeleton.names]
     bare = (np.where(np.array(spanned)[space.bones], space.weights, 0.0) == 0.0).all(axis=1)
     bare[: space.head_rows] = True
     bare[space.head_rows + space.joined] = True

@@ -9,6 +9,7 @@ import type { Eyeballs } from "./blend/sum_pass";
 import { Figure, type FigureCall, type SharedFigures } from "./figure/figure";
 import { FIGURE_BOUNDS, figurePoints, figureShot, groundOf, type ShotSize } from "./figure/figure_framing";
 import type { FigureJob, FigurePass } from "./figure/figure_pass";
+import { CONTACTS } from "./figure/floor";
 import { type Point, type Shot, shotOfHead, turnedAbout } from "./framing";
 import { Hair } from "./hair/hair";
 import { createHairStock, type HairStock } from "./hair/hair_assignment";
@@ -402,6 +403,9 @@ export class DrawnCharacter {
     this.turn = [y, -x, -z];
     const centre = shared.shadowCentre.value.copy(SHADOW_CENTRE).sub(shared.pivot.value);
     centre.applyMatrix3(shared.headTurn.value).add(shared.headPlace.value);
+    shared.soles.value = figure.soles;
+    for (const [place, name] of CONTACTS.entries())
+      shared.contacts.value[place]?.set(...(figure.joint(name) ?? [0, 0, 0]));
   }
 
   /** The eyeballs as they are blended, turned with the head. */

@@ -260,8 +260,12 @@ export class FaceView {
   }
 
   private templateOf(level: Level): HeadTemplate {
-    const { library, anatomy, figures } = this.parts;
-    return headTemplate({ meshes: library.meshes, anatomy, features: this.featuresAt(level), figures }, this.common);
+    const { library, anatomy, figures, shotSize } = this.parts;
+    const onFloor = shotSize === "full" && this.options.background === undefined; // a colour is there to be keyed
+    return headTemplate(
+      { meshes: library.meshes, anatomy, features: this.featuresAt(level), figures, onFloor },
+      this.common,
+    );
   }
 
   private build(): void {

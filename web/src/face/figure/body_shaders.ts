@@ -5,6 +5,8 @@ import { POSED_SURFACE } from "../skin/skin_shaders";
 
 /** How far cloth lies on the skin, metres. */
 const THICK = "0.003";
+/** How much farther shoes stand off, metres. */
+const LEATHER = "0.003";
 
 /** Where the roll around the neck ends, metres above the head's rim; it is round within the last of them. */
 export const ROLL = 0.016;
@@ -21,7 +23,7 @@ void main() {
   vec3 normal;
   vec3 point = surface(normal);
   float rolled = clamp((parts.z - ${ROLL.toFixed(4)} + ${ROUND}) / ${ROUND}, 0.0, 1.6);
-  float cloth = ${THICK} * (1.0 - smoothstep(0.3, 0.55, parts.x)) * (1.0 - 1.3 * rolled * rolled);
+  float cloth = (${THICK} + ${LEATHER} * smoothstep(0.3, 0.7, parts.y)) * (1.0 - smoothstep(0.3, 0.55, parts.x)) * (1.0 - 1.3 * rolled * rolled);
   vPoint = point + cloth * normal;
   vNormal = normalize(normal + 0.7 * min(rolled, 1.0) * vec3(0.0, 1.0, 0.0));
   vParts = parts;

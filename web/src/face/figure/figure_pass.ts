@@ -5,7 +5,7 @@ import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
 import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { BONE_TEXELS, edgeFragment, figureFragment, MOST_BODIES } from "./figure_shaders";
-import { dressed } from "./suit";
+import { suitFor } from "./suit";
 
 /** Where one figure is drawn to; everything that is drawn of it reads positions and normals. */
 export interface FigureTarget {
@@ -39,6 +39,7 @@ export class FigurePass {
   private readonly offFrame: WebGLFramebuffer;
   private readonly bodies: WebGLTexture;
   private readonly layers = new Map<string, number>();
+  private readonly dressed: (body: Body) => Float32Array;
   private readonly empty: WebGLVertexArrayObject;
   private readonly mixed = new Float32Array(2 * MOST_BODIES);
 
@@ -51,6 +52,7 @@ export class FigurePass {
   ) {
     const { headRows, bodyRows, edge, rim, triangles } = space;
     this.rows = headRows + bodyRows;
+    this.dressed = suitFor(space);
     this.height = Math.ceil(this.rows / ROW_WIDTH);
     this.programs = {
       edge: createProgram(gl, PASS_VERTEX, edgeFragment(edge.length, rim)),
@@ -96,7 +98,7 @@ export class FigurePass {
   layerOf(name: string, body: Body): number {
     const layer = this.layers.get(name);
     if (layer !== undefined) return layer;
-    const positions = dressed(this.space, body);
+    const positions = this.dressed(body);
     const next = this.layers.size;
     const texels = new Float32Array(4 * ROW_WIDTH * this.bodyLines);
     for (let row = 0; 3 * row < positions.length; row++) texels.set(positions.subarray(3 * row, 3 * row + 3), 4 * row);

@@ -7,34 +7,63 @@ import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 const [INWARD, OUTWARD] = [0.6, -0.62];
 const ROUNDS = 24;
 
+/** Rounds that round off toes as shoes do, one after the other all inward. */
+const SHOE_ROUNDS = 160;
+const TOES = /^toes/;
+
+/** Metres above the lowest row within which rows are the sole's, which stays flat. */
+const SOLE = 0.008;
+
 /** The bones of trunk and hips, whose relief cloth spans. */
 const SPANNED = /^(root|spine|pelvis|upperleg01)/;
 
-/** How much each row of a body (B,) is smoothed, 0..1. */
-export function spannedRows({ bones, rowBones, rowWeights, headRows, bodyRows, joined }: FigureSpace): Float32Array {
-  const of = bones.map((name) => SPANNED.test(name));
+/** How much of each row of a body (B,) bones of these names move, 0..1; none of those that follow a head. */
+function movedBy(
+  { bones, rowBones, rowWeights, headRows, bodyRows, joined }: FigureSpace,
+  names: RegExp,
+): Float32Array {
+  const of = bones.map((name) => names.test(name));
   const share = Float32Array.from({ length: bodyRows }, (_, row) => {
     let sum = 0;
     for (let at = ROW_BONES * (headRows + row); at < ROW_BONES * (headRows + row + 1); at++)
       if (of[rowBones[at] as number]) sum += (rowWeights[at] as number) / 65535;
     return sum;
   });
-  for (const row of joined) share[row] = 0; // the neck is its face's
+  for (const row of joined) share[row] = 0;
   return share;
 }
 
-/** The rows of a body (B, 3), metres, as a suit covers them. */
-export function dressed(space: FigureSpace, { positions }: Body): Float32Array {
-  const share = spannedRows(space);
+/** What gives the rows of bodies (B, 3), metres, as a suit and shoes cover them. */
+export function suitFor(space: FigureSpace): (body: Body) => Float32Array {
   const neighbours = neighboursOf(space);
-  let [from, to] = [positions.slice(), positions.slice()];
-  for (let round = 0; round < 2 * ROUNDS; round++) {
-    const step = round % 2 === 0 ? INWARD : OUTWARD;
-    share.forEach((part, row) => {
-      if (part > 0) stepRow(from, to, row, neighbours[row] as readonly number[], step * part);
+  const [trunk, toes] = [movedBy(space, SPANNED), movedBy(space, TOES)];
+  const spanning = Array.from({ length: 2 * ROUNDS }, (_, round) => (round % 2 === 0 ? INWARD : OUTWARD));
+  const rounding = new Array<number>(SHOE_ROUNDS).fill(INWARD);
+  return ({ positions }) => {
+    const spanned = smoothed(positions, trunk, neighbours, spanning);
+    const shod = smoothed(spanned, toes, neighbours, rounding);
+    const lowest = positions.reduce((low, y, at) => (at % 3 === 1 ? Math.min(low, y) : low), 0);
+    toes.forEach((part, row) => {
+      const y = positions[3 * row + 1] as number;
+      if (part > 0 && y < lowest + SOLE) shod[3 * row + 1] = y;
     });
+    return shod;
+  };
+}
+
+/** Rows that steps towards the middle of their neighbours have smoothed, each by its share. */
+function smoothed(
+  positions: Float32Array,
+  shares: Float32Array,
+  neighbours: readonly (readonly number[])[],
+  steps: readonly number[],
+): Float32Array {
+  let [from, to] = [positions.slice(), positions.slice()];
+  const rows = Array.from(shares.keys()).filter((row) => (shares[row] as number) > 0);
+  for (const step of steps) {
+    for (const row of rows)
+      stepRow(from, to, row, neighbours[row] as readonly number[], step * (shares[row] as number));
     [from, to] = [to, from];
-    if (round === 0) to.set(from); // rows that stay are the same in both
   }
   return from;
 }

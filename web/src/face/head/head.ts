@@ -6,6 +6,7 @@ import type { Anatomy } from "../anatomy/anatomy";
 import { rowTriangles } from "../anatomy/topology";
 import { bodyParts } from "../figure/body_mesh";
 import type { SharedFigures } from "../figure/figure";
+import { floor, floorUniforms } from "../figure/floor";
 import { material, type Uniforms } from "../gpu/renderer";
 import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
@@ -51,6 +52,9 @@ export interface HeadUniforms
   /** Rows of skin and body as a figure is posed, and their normals. */
   figurePositions: THREE.IUniform<THREE.Texture | null>;
   figureNormals: THREE.IUniform<THREE.Texture | null>;
+  /** Where feet and hips are, and the height of the soles of a figure that stands. */
+  contacts: THREE.IUniform<THREE.Vector3[]>;
+  soles: THREE.IUniform<number>;
   viewPoint: THREE.IUniform<THREE.Vector3>;
   grain: THREE.IUniform<THREE.Texture>;
   /** How densely hair grows at each row, 0..1. */
@@ -90,6 +94,7 @@ export function headUniforms(
     headPlace: { value: PIVOT.clone() },
     figurePositions: { value: null },
     figureNormals: { value: null },
+    ...floorUniforms(),
     viewPoint: { value: new THREE.Vector3() },
     grain: common?.grain ?? { value: grainTexture() },
     ...(Object.fromEntries(LOOK_COLOURS.map((part) => [part, { value: new THREE.Color() }])) as LookColours),
@@ -117,6 +122,8 @@ export interface HeadParts {
   features: Features;
   /** What bodies share, where heads have one. */
   figures?: SharedFigures | undefined;
+  /** Whether the floor that they stand on is drawn. */
+  onFloor?: boolean;
 }
 
 /** The whole head as a scene. */
@@ -141,10 +148,10 @@ export function buildHead(from: HeadParts): THREE.Group {
 }
 
 /** The body of a figure, or a collar around the neck of a head alone. */
-function belowHead({ anatomy, meshes, shared, features, figures }: HeadParts): THREE.Mesh[] {
+function belowHead({ anatomy, meshes, shared, features, figures, onFloor }: HeadParts): THREE.Mesh[] {
   const skin = meshes.find(({ name }) => name === "skin");
   if (features.figure && figures !== undefined && skin !== undefined)
-    return bodyParts(figures, rowTriangles(skin), anatomy, shared);
+    return [...bodyParts(figures, rowTriangles(skin), anatomy, shared), ...(onFloor ? [floor(shared)] : [])];
   if (anatomy.rim.length === 0) return [];
   return [new THREE.Mesh(collar(anatomy, !features.pixelLight), material(COLLAR_VERTEX, COLLAR_FRAGMENT, shared))];
 }
