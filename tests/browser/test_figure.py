@@ -11,7 +11,7 @@ from playwright.sync_api import Page
 from scipy.spatial.transform import Rotation
 
 import omote
-from omote.arrays import Floats, Mask, Values
+from omote.arrays import Floats, Mask
 from omote.model.body.pose_regions import POSE_REGIONS, region_bones
 from omote.model.cast import Cast
 from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head

@@ -200,13 +200,23 @@ export class DrawnCharacter {
     const straight = parts.looks.extremes(this.pose);
     const framed = { ...uniforms.shared, straight, centred };
     const { shot: near, points } = shotOfHead(shot, framed);
-    const whole = this.figure && parts.shotSize && figureShot(this.figure, parts.shotSize, straight);
-    const body = this.figure && parts.shotSize ? figurePoints(this.figure, parts.shotSize) : [];
+    const { shot: framedShot, body } = this.frameBody(near, straight, centred);
     const place = { ...called.place, size: this.size };
-    const { shot: own, points: standing } = placed(whole ?? near, [...points, ...body], place, head.matrix);
+    const { shot: own, points: standing } = placed(framedShot, [...points, ...body], place, head.matrix);
     this.points = standing;
     this.headPoints = points.length;
     return { shot: own, points: standing, presence: called.presence };
+  }
+
+  /** The shot of its figure, where it has one, and the points of it that a picture has to hold. */
+  private frameBody(near: Shot, straight: readonly Point[], centred: boolean): { shot: Shot; body: Point[] } {
+    const { figure, ground } = this;
+    const { shotSize } = this.parts;
+    if (figure === undefined || shotSize === undefined) return { shot: near, body: [] };
+    const [x, y, z] = near.centre;
+    const [aside, up, ahead] = ground.offset;
+    const still: Shot = centred ? near : { ...near, centre: [x - aside, y - up, z - ahead] }; // as if the body stood
+    return { shot: figureShot(figure, shotSize, straight) ?? still, body: figurePoints(figure, shotSize) };
   }
 
   /** How large it is drawn. */

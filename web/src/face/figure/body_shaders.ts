@@ -33,8 +33,6 @@ void main() {
 
 export const BODY_FRAGMENT = `${FRAGMENT_HEAD}
 uniform vec3 skin;
-uniform vec3 coat;
-uniform float fur;
 in vec3 vPoint;
 in vec3 vNormal;
 in vec3 vParts;
@@ -62,7 +60,7 @@ vec3 clothLight(vec3 albedo, vec3 normal, vec3 view, float sunlit, float polishe
   float nap = edge * edge; // fibres that stand off the cloth catch light at its edge
   seen += 0.5 * albedo * nap * (KEY_LIGHT * lit + FILL_LIGHT * fill) * (1.0 - polished);
   seen += RIM_LIGHT * nap * edge * 0.05 * (max(dot(normal, RIM_LEFT), 0.0) + max(dot(normal, RIM_RIGHT), 0.0));
-  return seen + polished * 0.10 * KEY_LIGHT * sunlit * shine(normal, view, KEY, 60.0);
+  return seen + polished * 0.03 * KEY_LIGHT * sunlit * shine(normal, view, KEY, 60.0);
 }
 
 void main() {
@@ -73,7 +71,7 @@ void main() {
   float bare = within(vParts.x);
   float shoe = within(vParts.y);
   vec3 cloth = mix(vec3(0.016, 0.016, 0.019), vec3(0.008, 0.008, 0.009), shoe);
-  vec3 light = bare > 0.0 ? skinLight(mix(skin, coat, fur), normal, view, sunlit) : vec3(0.0);
+  vec3 light = bare > 0.0 ? skinLight(skin, normal, view, sunlit) : vec3(0.0);
   if (bare < 1.0) light = mix(clothLight(cloth, normal, view, sunlit, shoe), light, bare);
   colour = premultiplied(light, 1.0);
 }

@@ -5,14 +5,11 @@ import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 /** Smoothing that keeps the volume: a step in, and one out a little farther (G. Taubin, "A signal processing approach to
  * fair surface design", 1995). */
 const [INWARD, OUTWARD] = [0.6, -0.62];
-const ROUNDS = 24;
+const ROUNDS = 48;
 
-/** Rounds that round off toes as shoes do, one after the other all inward. */
-const SHOE_ROUNDS = 160;
+/** Rounds that round off toes as thin shoes do, one after the other all inward. */
+const SHOE_ROUNDS = 16;
 const TOES = /^toes/;
-
-/** Metres above the lowest row within which rows are the sole's, which stays flat. */
-const SOLE = 0.008;
 
 /** The bones of trunk and hips, whose relief cloth spans. */
 const SPANNED = /^(root|spine|pelvis|upperleg01)/;
@@ -41,13 +38,7 @@ export function suitFor(space: FigureSpace): (body: Body) => Float32Array {
   const rounding = new Array<number>(SHOE_ROUNDS).fill(INWARD);
   return ({ positions }) => {
     const spanned = smoothed(positions, trunk, neighbours, spanning);
-    const shod = smoothed(spanned, toes, neighbours, rounding);
-    const lowest = positions.reduce((low, y, at) => (at % 3 === 1 ? Math.min(low, y) : low), 0);
-    toes.forEach((part, row) => {
-      const y = positions[3 * row + 1] as number;
-      if (part > 0 && y < lowest + SOLE) shod[3 * row + 1] = y;
-    });
-    return shod;
+    return smoothed(spanned, toes, neighbours, rounding);
   };
 }
 
