@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
-import { material, type Uniforms } from "../gpu/renderer";
+import { COVERAGE, material, type Uniforms } from "../gpu/renderer";
 import { type CurvedTriangles, divideLong, type Longest } from "../skin/curved_triangles";
 import { between } from "../skin/skin_parts";
 import { BODY_FRAGMENT, BODY_VERTEX, ROLL } from "./body_shaders";
@@ -26,6 +26,7 @@ export function bodyParts(
   skin: Uint32Array,
   { positions, bag }: FaceRows,
   uniforms: Uniforms,
+  multisample: boolean,
 ): THREE.Mesh[] {
   const places = placesOf(space, first, positions);
   const height = heightOver(space, places);
@@ -40,14 +41,26 @@ export function bodyParts(
   flat.setIndex(new THREE.BufferAttribute(divided.flat, 1));
   flat.setAttribute("source", new THREE.BufferAttribute(rows, 1));
   flat.setAttribute("parts", new THREE.BufferAttribute(parts, 3));
-  const meshes = [meshOf(flat, uniforms, {})];
-  if (divided.curved.length > 0) meshes.push(meshOf(curvedGeometry(divided, parts), uniforms, { CURVED: "" }));
+  const look = { uniforms, multisample };
+  const meshes = [meshOf(flat, look, {})];
+  if (divided.curved.length > 0) meshes.push(meshOf(curvedGeometry(divided, parts), look, { CURVED: "" }));
   return meshes;
 }
 
-function meshOf(geometry: THREE.BufferGeometry, uniforms: Uniforms, defines: Record<string, string>): THREE.Mesh {
+/** How a mesh is drawn; `multisample`: where the suit ends by samples of a pixel. */
+interface Drawing {
+  readonly uniforms: Uniforms;
+  readonly multisample: boolean;
+}
+
+function meshOf(
+  geometry: THREE.BufferGeometry,
+  { uniforms, multisample }: Drawing,
+  defines: Record<string, string>,
+): THREE.Mesh {
   const look = material(BODY_VERTEX, BODY_FRAGMENT, uniforms);
-  look.defines = defines;
+  if (multisample) Object.assign(look, COVERAGE);
+  look.defines = { ...defines, ...(multisample ? { SOFT: "" } : {}) };
   return Object.assign(new THREE.Mesh(geometry, look), { name: "body" });
 }
 

@@ -22,10 +22,10 @@ out vec3 vParts;
 void main() {
   vec3 normal;
   vec3 point = surface(normal);
-  float rolled = clamp((parts.z - ${ROLL.toFixed(4)} + ${ROUND}) / ${ROUND}, 0.0, 1.6);
-  float cloth = (${THICK} + ${LEATHER} * smoothstep(0.3, 0.7, parts.y)) * (1.0 - smoothstep(0.3, 0.55, parts.x)) * (1.0 - 1.3 * rolled * rolled);
+  float rolled = clamp((parts.z - ${ROLL.toFixed(4)} + ${ROUND}) / ${ROUND}, 0.0, 1.0);
+  float cloth = (${THICK} + ${LEATHER} * smoothstep(0.3, 0.7, parts.y)) * (1.0 - smoothstep(0.3, 0.55, parts.x)) * (1.0 - 0.75 * rolled * rolled);
   vPoint = point + cloth * normal;
-  vNormal = normalize(normal + 0.7 * min(rolled, 1.0) * vec3(0.0, 1.0, 0.0));
+  vNormal = normalize(normal + 0.7 * rolled * vec3(0.0, 1.0, 0.0));
   vParts = parts;
   gl_Position = project(vPoint);
 }
@@ -64,7 +64,12 @@ vec3 clothLight(vec3 albedo, vec3 normal, vec3 view, float sunlit, float polishe
 }
 
 void main() {
-  if (vParts.z > ${(ROLL + 0.003).toFixed(4)}) discard;
+#ifdef SOFT
+  float cover = clamp((${ROLL.toFixed(4)} - vParts.z) / max(fwidth(vParts.z), 1e-5) + 0.5, 0.0, 1.0);
+#else
+  float cover = step(vParts.z, ${ROLL.toFixed(4)});
+#endif
+  if (cover <= 0.0) discard;
   vec3 view = normalize(viewPoint - vPoint);
   vec3 normal = normalize(vNormal);
   float sunlit = shadow(vPoint, normal);
@@ -73,6 +78,6 @@ void main() {
   vec3 cloth = mix(vec3(0.016, 0.016, 0.019), vec3(0.008, 0.008, 0.009), shoe);
   vec3 light = bare > 0.0 ? skinLight(skin, normal, view, sunlit) : vec3(0.0);
   if (bare < 1.0) light = mix(clothLight(cloth, normal, view, sunlit, shoe), light, bare);
-  colour = premultiplied(light, 1.0);
+  colour = vec4(display(light), cover);
 }
 `;

@@ -151,7 +151,10 @@ export function buildHead(from: HeadParts): THREE.Group {
 function belowHead({ anatomy, meshes, shared, features, figures, onFloor }: HeadParts): THREE.Mesh[] {
   const skin = meshes.find(({ name }) => name === "skin");
   if (features.figure && figures !== undefined && skin !== undefined)
-    return [...bodyParts(figures, rowTriangles(skin), anatomy, shared), ...(onFloor ? [floor(shared)] : [])];
+    return [
+      ...bodyParts(figures, rowTriangles(skin), anatomy, shared, features.multisample),
+      ...(onFloor ? [floor(shared)] : []),
+    ];
   if (anatomy.rim.length === 0) return [];
   return [new THREE.Mesh(collar(anatomy, !features.pixelLight), material(COLLAR_VERTEX, COLLAR_FRAGMENT, shared))];
 }
