@@ -25,7 +25,9 @@ pytestmark = pytest.mark.long
 
 TOLERANCE = 5e-5
 """Metres."""
-FRAMES = 8
+FRAMES = 6
+FACES = ("kaori", "heavy", "child", "dog")
+"""A few, so that the smile is worked out once for each."""
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +79,7 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
     bare = bare_rows(cast)
     assert bare.mean() > 0.6
     for _ in range(FRAMES):
-        faces = drawn_mix(list(cast.faces), 2, rng)
+        faces = drawn_mix(list(FACES), 2, rng)
         own = rng.uniform()
         bodies = {FACES_OWN: own} | {
             name: (1.0 - own) * share for name, share in drawn_mix(list(cast.bodies), 2, rng).items()

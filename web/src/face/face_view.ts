@@ -6,9 +6,9 @@ import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { rowTriangles } from "./anatomy/topology";
 import { Blender } from "./blend/blender";
 import { type Coming, DrawnCharacter, type SharedParts, sharedParts } from "./drawn_character";
-import { loadFigures, type SharedFigures } from "./figure/figure";
 import type { ShotSize } from "./figure/figure_framing";
 import { FigurePass } from "./figure/figure_pass";
+import { loadFigures, type SharedFigures } from "./figure/shared_figures";
 import { type PictureBox, PORTRAIT, portraitCamera, type Shot, tileView, type WallTile } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
@@ -298,7 +298,7 @@ export class FaceView {
     const { figures, library } = this.parts;
     const skin = library.meshes.find(({ name }) => name === "skin");
     if (figures === undefined || skin === undefined) return undefined;
-    return new FigurePass(this.context, figures.space, rowTriangles(skin), figures.bodies.size);
+    return new FigurePass(this.context, figures, rowTriangles(skin));
   }
 
   /** Takes a character onto the stage, or onto a new graphics context. */

@@ -6,7 +6,7 @@ import { COVERAGE, material, type Uniforms } from "../gpu/renderer";
 import { type CurvedTriangles, divideLong, type Longest } from "../skin/curved_triangles";
 import { between } from "../skin/skin_parts";
 import { BODY_FRAGMENT, BODY_VERTEX, ROLL } from "./body_shaders";
-import type { SharedFigures } from "./figure";
+import type { SharedFigures } from "./shared_figures";
 
 /** Metres above the head's rim to which its triangles are taken, of which the suit ends within. */
 const COVERED = ROLL + 0.012;

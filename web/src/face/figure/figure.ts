@@ -1,7 +1,7 @@
 /** The figure of one character: the bodies that it wears, its bones in a frame, and what the GPU draws of them. */
 
 import type { Library } from "../../link/assets";
-import type { Body, FigureSpace } from "../../link/figures";
+import type { Body } from "../../link/figures";
 import type { FigureMix } from "../pose/pose";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
 import type { FigureJob, FigurePass, FigureTarget } from "./figure_pass";
@@ -20,25 +20,8 @@ import {
   type Vector,
   vectorOf,
 } from "./rotations";
-import { placeOf, type Skeleton, skeletonOf } from "./skeleton";
-
-/** What all figures of a cast share. */
-export interface SharedFigures {
-  readonly space: FigureSpace;
-  readonly skeleton: Skeleton;
-  /** Names of the bodies, and by how much each is drawn larger than its person is. */
-  readonly bodies: ReadonlyMap<string, number>;
-  /** The body that others are shaped from. */
-  readonly first: Body;
-}
-
-/** What all figures of a library's cast share; undefined where it has none. */
-export async function loadFigures(library: Library): Promise<SharedFigures | undefined> {
-  const listed = library.manifest.figures?.bodies ?? [];
-  if (listed[0] === undefined) return undefined;
-  const [space, first] = await Promise.all([library.figures(), library.body(listed[0].name)]);
-  return { space, skeleton: skeletonOf(space), bodies: new Map(listed.map(({ name, size }) => [name, size])), first };
-}
+import type { SharedFigures } from "./shared_figures";
+import { placeOf } from "./skeleton";
 
 /** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source. */
 export interface FigureCall {

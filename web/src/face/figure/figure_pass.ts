@@ -5,6 +5,7 @@ import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
 import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { BONE_TEXELS, edgeFragment, figureFragment, MOST_BODIES } from "./figure_shaders";
+import type { SharedFigures } from "./shared_figures";
 import { suitFor } from "./suit";
 
 /** Where one figure is drawn to; everything that is drawn of it reads positions and normals. */
@@ -31,6 +32,7 @@ const CORNER_WIDTH = 512;
 
 /** The passes of all figures of a graphics context, and the bodies that they mix, which lie in an array of their own. */
 export class FigurePass {
+  private readonly space: FigureSpace;
   private readonly height: number;
   private readonly rows: number;
   private readonly programs: Record<"edge" | "figure" | "normal", WebGLProgram>;
@@ -43,16 +45,16 @@ export class FigurePass {
   private readonly empty: WebGLVertexArrayObject;
   private readonly mixed = new Float32Array(2 * MOST_BODIES);
 
-  /** `skin`: the triangles of the head's skin, as rows; `most`: how many bodies there are. */
+  /** `skin`: the triangles of the head's skin, as rows. */
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly space: FigureSpace,
+    { space, first, bodies }: SharedFigures,
     skin: Uint32Array,
-    most: number,
   ) {
+    this.space = space;
     const { headRows, bodyRows, edge, rim, triangles } = space;
     this.rows = headRows + bodyRows;
-    this.dressed = suitFor(space);
+    this.dressed = suitFor(space, first);
     this.height = Math.ceil(this.rows / ROW_WIDTH);
     this.programs = {
       edge: createProgram(gl, PASS_VERTEX, edgeFragment(edge.length, rim)),
@@ -72,7 +74,7 @@ export class FigurePass {
     [this.off, this.offFrame] = targetTexture(gl, edge.length + 1, 1);
     this.bodies = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA32F, ROW_WIDTH, this.bodyLines, most);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA32F, ROW_WIDTH, this.bodyLines, bodies.size);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     this.empty = gl.createVertexArray();

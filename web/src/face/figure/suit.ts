@@ -7,6 +7,11 @@ import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 const [INWARD, OUTWARD] = [0.6, -0.62];
 const ROUNDS = 48;
 
+/** Rounds, one after the other all inward, in which rows that lie closer than others become as flat as what is around them;
+ * metres between neighbours up to which all of them do, and from which on none. */
+const FLAT_ROUNDS = 60;
+const [CLOSE, APART] = [0.008, 0.012];
+
 /** Rounds that round off toes as thin shoes do, one after the other all inward. */
 const SHOE_ROUNDS = 16;
 const TOES = /^toes/;
@@ -30,16 +35,31 @@ function movedBy(
   return share;
 }
 
-/** What gives the rows of bodies (B, 3), metres, as a suit and shoes cover them. */
-export function suitFor(space: FigureSpace): (body: Body) => Float32Array {
+/** What gives the rows of bodies (B, 3), metres, as a suit and shoes cover them; `first`: the body that others are shaped from. */
+export function suitFor(space: FigureSpace, first: Body): (body: Body) => Float32Array {
   const neighbours = neighboursOf(space);
   const [trunk, toes] = [movedBy(space, SPANNED), movedBy(space, TOES)];
+  const close = trunk.map((part, row) => part * closeness(first.positions, row, neighbours[row] as readonly number[]));
   const spanning = Array.from({ length: 2 * ROUNDS }, (_, round) => (round % 2 === 0 ? INWARD : OUTWARD));
-  const rounding = new Array<number>(SHOE_ROUNDS).fill(INWARD);
+  const inward = (rounds: number): number[] => new Array<number>(rounds).fill(INWARD);
   return ({ positions }) => {
-    const spanned = smoothed(positions, trunk, neighbours, spanning);
-    return smoothed(spanned, toes, neighbours, rounding);
+    const flat = smoothed(positions, close, neighbours, inward(FLAT_ROUNDS));
+    const spanned = smoothed(flat, trunk, neighbours, spanning);
+    return smoothed(spanned, toes, neighbours, inward(SHOE_ROUNDS));
   };
+}
+
+/** How close a row lies to its neighbours, 0..1. */
+function closeness(positions: Float32Array, row: number, around: readonly number[]): number {
+  let sum = 0;
+  for (const other of around) {
+    const [x, y, z] = [0, 1, 2].map(
+      (axis) => (positions[3 * row + axis] as number) - (positions[3 * other + axis] as number),
+    ) as [number, number, number];
+    sum += Math.hypot(x, y, z);
+  }
+  const mean = sum / around.length;
+  return Math.min(1, Math.max(0, (APART - mean) / (APART - CLOSE)));
 }
 
 /** Rows that steps towards the middle of their neighbours have smoothed, each by its share. */
