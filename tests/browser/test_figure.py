@@ -88,7 +88,7 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
         regions = {region: drawn_mix(list(cast.poses), 2, rng) for region in rng.permutation(POSE_REGIONS)[:2].tolist()}
         head = rng.uniform(-0.6, 0.6, 3).tolist()
         expressions = {"smile": 0.5, "neutral": 0.5}
-        figure = {"poses": poses, "regions": regions, "bodies": bodies}
+        figure: Mapping[str, Any] = {"poses": poses, "regions": regions, "bodies": bodies}
         hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure})
         drawn = floats(page, "window.omoteStage.readFigure()").reshape(-1, 3)
         wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, figure, head), axis=1)
@@ -96,7 +96,11 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
 
 
 def expected(
-    cast: Cast, faces: dict[str, float], expressions: dict[str, float], figure: dict[str, dict], head: list[float]
+    cast: Cast,
+    faces: dict[str, float],
+    expressions: dict[str, float],
+    figure: Mapping[str, Any],
+    head: list[float],
 ) -> Floats:
     """The rows of a figure as Python has them. head: yaw, pitch and roll, radians."""
     assert cast.figures is not None
