@@ -33,10 +33,14 @@ USED: dict[str, str] = {
     "face/blend": "link face/pose face/anatomy face/gpu",
     "face/light": "link face/gpu",
     "face/skin": "link face/gpu face/light",
-    "face/head": "link face/pose face/quality face/anatomy face/gpu face/light face/skin",
+    "face/figure": "link face/pose face/anatomy face/gpu face/light face/skin",
+    "face/head": "link face/pose face/quality face/anatomy face/gpu face/light face/skin face/figure",
     "face/hair": "link face/quality face/anatomy face/gpu face/light face/skin face/head",
-    "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
-    "stage": "link ui face/pose face/quality face/light face",
+    "face": (
+        "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/figure face/head "
+        "face/hair"
+    ),
+    "stage": "link ui face/pose face/quality face/light face/figure face",
     "console/store": "link ui",
     "console/controls": "link ui console/store",
     "console/clips": "link ui access console/store console/controls",

@@ -64,7 +64,7 @@ from omote.show.access.access_role import ACCESS_ROLES
 from omote.show.declaration import Message
 from omote.show.messages import CLIENT_MESSAGES, LINK_PATH, PROTOCOL_VERSION, SERVER_MESSAGES, STATE_RATE, STRUCTS
 from omote.show.objects.hand.setups import LONGEST_SETUP_NAME
-from omote.show.objects.stages import Level
+from omote.show.objects.stages import Level, ShotSize
 from tools.baking.skin.brows import LINE, REACH
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
@@ -219,6 +219,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
+    "SHOT_SIZES": ("How much of a figure a picture shows.", typing.get_args(ShotSize)),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
     "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),
     "GAIN_RANGE": ("The lowest and the highest gain.", (LEAST_GAIN, MOST_GAIN)),

@@ -31,6 +31,9 @@ BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: gre
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium, good or high.")]
 HairOption = Annotated[bool, typer.Option("--hair/--no-hair", help="Whether heads wear their hair.")]
+FramingOption = Annotated[
+    str, typer.Option(help="A figure, and how much of it is seen: head, bust, half or full; else a head alone.")
+]
 MaskOption = Annotated[str, typer.Option(help="Leave the face alone: oval, or face (chin to hairline).")]
 LuminanceOption = Annotated[
     float | None, typer.Option(help="The mean of relative luminance, linear light, that each picture gets: 0.2.")
@@ -61,6 +64,8 @@ def render(
     gaze: Annotated[str, typer.Option(help="The eyes' yaw and pitch, degrees: to 40 and 30 either way.")] = "",
     clip: Annotated[str, typer.Option(help="A motion clip of the show file, in place of all but the face.")] = "",
     at: Annotated[float, typer.Option(min=0.0, help="The second of the clip.")] = 0.0,
+    framing: FramingOption = "",
+    pose: Annotated[str, typer.Option(help="A pose of the figure, or a mix: bow, or bow=0.5+wave.")] = "",
     size: Annotated[str, typer.Option(help="Width x height, pixels.")] = "640x720",
     light: LightOption = "theatre",
     background: BackgroundOption = None,
@@ -79,7 +84,7 @@ def render(
 
     request = RenderRequest(
         face=tuple(face or ["generic"]), expression=tuple(expression or []), channel=tuple(channel or []), turn=turn,
-        gaze=gaze, clip=clip, at=at,
+        gaze=gaze, clip=clip, at=at, framing=framing, pose=pose,
         size=size, light=light, background=background, transparent=transparent, quality=quality, hair=hair,
         mask=mask, luminance=luminance, contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
@@ -95,6 +100,7 @@ def grid(
     expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
+    framing: FramingOption = "",
     size: Annotated[str, typer.Option(help="Width x height of one picture, pixels.")] = "240x270",
     light: LightOption = "theatre",
     background: BackgroundOption = None,
@@ -113,7 +119,8 @@ def grid(
     from omote.stage_data.picture_request import GridRequest
 
     request = GridRequest(
-        faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, size=size, light=light,
+        faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, framing=framing,
+        size=size, light=light,
         background=background, transparent=transparent, quality=quality, hair=hair, mask=mask, luminance=luminance,
         contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip

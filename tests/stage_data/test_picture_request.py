@@ -5,7 +5,7 @@ import pytest
 from omote.face_commands import EXPRESSIONS
 from omote.model.cast import Cast
 from omote.stage_data.picture_grid import lay_out
-from omote.stage_data.picture_request import GridRequest, file_name, morph_steps, plan_cells
+from omote.stage_data.picture_request import GridRequest, RenderRequest, file_name, morph_steps, plan_cells
 
 
 def test_a_grid_of_faces_has_a_row_for_each() -> None:
@@ -66,3 +66,11 @@ def test_files_have_names_of_their_own() -> None:
     names = [name for row in plan.cells for name, _ in row]
     assert len({name.casefold() for name in names}) == 3
     assert file_name("../../etc:passwd") == ".._.._etc_passwd"
+
+
+def test_a_pose_is_of_a_figure_that_is_seen() -> None:
+    assert RenderRequest(pose="bow", framing="full").words.poses == (("bow", 1.0),)
+    with pytest.raises(ValueError, match="--framing full"):
+        _ = RenderRequest(pose="bow").words
+    with pytest.raises(ValueError, match="no framing 'wide'"):
+        _ = RenderRequest(framing="wide").setting

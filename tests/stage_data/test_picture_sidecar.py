@@ -40,7 +40,7 @@ def test_it_comes_back_as_it_was_written(sidecar: Sidecar, tmp_path: Path) -> No
     assert found.request == REQUEST
     assert found.pictures["poses"][0][0]["expressions"] == {"smile": 0.3, "neutral": 0.7}
     drawn = {"width": 64, "height": 48, "background": None, "transparent": False, "quality": "high", "hair": True}
-    assert found.setting == drawn | {"mask": "", "luminance": None, "contrast": None}
+    assert found.setting == drawn | {"mask": "", "luminance": None, "contrast": None, "framing": ""}
 
 
 def test_only_a_whole_picture_of_the_same_parameters_is_drawn(sidecar: Sidecar, tmp_path: Path) -> None:

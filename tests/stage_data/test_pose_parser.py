@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import omote
 from omote.model.cast import Cast
 from omote.stage_data.pose_parser import parse_pose, pose_of
 
@@ -62,3 +63,14 @@ def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
 def test_what_is_no_text_is_refused_with_how_it_is_written(cast: Cast, name: str, value: object) -> None:
     with pytest.raises(TypeError, match=f"{name} must be text, not .*; write {name}='"):
         parse_pose(cast, **{name: value})  # type: ignore[arg-type]
+
+
+def test_a_figure_does_what_its_poses_weigh_and_stands_without_any() -> None:
+    cast = omote.load_cast()
+    assert parse_pose(cast).figure is None
+    figure = parse_pose(cast, pose="Bow=0.25+wave").figure
+    assert figure is not None
+    assert figure.poses == {"bow": 0.25, "wave": 0.75}
+    assert pose_of(cast, parse_pose(cast, pose="bow"))["figure"]["poses"] == {"bow": 1.0}
+    with pytest.raises(ValueError, match="no pose 'wafe'"):
+        parse_pose(cast, pose="wafe")

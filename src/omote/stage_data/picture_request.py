@@ -44,17 +44,18 @@ class PictureOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     luminance: float | None = None
     contrast: float | None = None
     show: str = ""
+    framing: str = ""
 
     @property
     def setting(self) -> Setting:
         """All of it but the light and the show file; ValueError where it cannot be drawn."""
         width, height = read_size(self.size)
-        chosen = ("background", "transparent", "quality", "hair", "mask", "luminance", "contrast")
+        chosen = ("background", "transparent", "quality", "hair", "mask", "luminance", "contrast", "framing")
         return Setting(width, height, **{name: getattr(self, name) for name in chosen})
 
 
 class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="render"):
-    """One picture: faces, expressions and channels with their weights; angles in degrees.
+    """One picture: faces, expressions and channels with their weights; angles in degrees; pose: of its figure, a mix.
 
     clip: a motion clip of the show file in place of all but the faces, "" for none; at: its second, whatever its speed.
     """
@@ -67,17 +68,20 @@ class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="comman
     gaze: str = ""
     clip: str = ""
     at: float = 0.0
+    pose: str = ""
 
     @property
     def words(self) -> PoseWords:
         """The pose; ValueError for what is not understood or out of range, and for what a clip has of its own."""
         if self.at and not self.clip:
             raise ValueError(f"the second {self.at:g} is of no clip; name the clip too")
+        if self.pose and not self.framing:
+            raise ValueError(f"the pose {self.pose} is of a figure; say how much of it is seen: --framing full")
         if self.clip and (own := [name for name in CLIPS_OWN if getattr(self, name)]):
             raise ValueError(f"the clip {self.clip} has {' and '.join(own)} of its own; leave that out")
         face, expression, channel = ("+".join(parts) for parts in (self.face, self.expression, self.channel))
         angles = {"turn": self.turn, "gaze": self.gaze}
-        return read_pose(face=face, expression=expression, channel=channel, light=self.light, **angles)
+        return read_pose(face=face, expression=expression, channel=channel, light=self.light, pose=self.pose, **angles)
 
 
 class GridRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="grid"):

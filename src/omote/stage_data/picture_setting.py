@@ -8,7 +8,7 @@ from typing import get_args
 
 from omote.interchange.formats.file_names import Kind
 from omote.perform.lights import find_background
-from omote.show.objects.stages import Level
+from omote.show.objects.stages import Level, ShotSize
 
 SMALLEST = 16
 LARGEST = 8192
@@ -36,7 +36,8 @@ class Setting:
     """What all pictures of a grid share: size in pixels, background, quality, whether heads wear hair.
 
     mask: "oval" or "face", what is left of a picture, "" for all; luminance: the mean of relative luminance in linear
-    light; contrast: its standard deviation over the mean; None: as drawn.
+    light; contrast: its standard deviation over the mean; None: as drawn. framing: how much of a figure the picture
+    shows, "" for a head alone.
     """
 
     width: int = 640
@@ -48,6 +49,7 @@ class Setting:
     mask: str = ""
     luminance: float | None = None
     contrast: float | None = None
+    framing: str = ""
 
     def __post_init__(self) -> None:
         """Rejects sizes that no canvas has, unknown levels of quality, and what is no colour."""
@@ -72,6 +74,11 @@ class Setting:
     def _refuse_finish(self) -> None:
         if not isinstance(self.hair, bool):
             raise TypeError(f"hair is {self.hair!r}; give True or False")
+        if self.framing not in ("", *get_args(ShotSize)):
+            raise ValueError(
+                f"there is no framing {self.framing!r}; give one of {', '.join(get_args(ShotSize))}, or none: a head "
+                "alone"
+            )
         if self.mask not in ("", *MASKS):
             raise ValueError(f"there is no mask {self.mask!r}; give one of {', '.join(MASKS)}")
         if self.mask and not self.transparent and self.background is None:

@@ -9,7 +9,8 @@ import msgspec
 
 from omote.model.known_names import NEUTRAL
 from omote.perform.complexion import complexion_of
-from omote.perform.frame import Frame
+from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.frame import FigureFrame, Frame
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.scene.scene import FIRST_LABEL
 from omote.perform.scene.scene_frame import CharacterFrame, Place
@@ -33,6 +34,7 @@ def parse_pose(
     turn: str = "",
     gaze: str = "",
     light: str = FIRST_LIGHT,
+    pose: str = "",
 ) -> Frame:
     """The frame of a pose that is written in words, as `omote render` takes it.
 
@@ -52,6 +54,8 @@ def parse_pose(
         The eyes' yaw and pitch, degrees: eyes turn 40 sideways and 30 up or down.
     light : str
         A light or a mix, "theatre=0.5+flat".
+    pose : str
+        A pose of the figure or a mix, "bow=0.5+wave"; "" where it stands.
 
     Returns
     -------
@@ -75,7 +79,7 @@ def parse_pose(
     docs/conventions.md for weights and angles.
     """
     refuse_no_cast(cast)
-    words = {"face": face, "expression": expression, "channel": channel, "turn": turn, "gaze": gaze}
+    words = {"face": face, "expression": expression, "channel": channel, "turn": turn, "gaze": gaze, "pose": pose}
     return find_pose(cast, read_pose(**words, light=light))
 
 
@@ -93,8 +97,17 @@ def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:
         head=words.head,
         gaze=words.gaze,
         light=words.light,
+        figure=_find_figure(cast, words),
     )
     return replace(frame, complexion=complexion_of(cast.expressions, frame))
+
+
+def _find_figure(cast: Cast | PlayingCast, words: PoseWords) -> FigureFrame | None:
+    """What the figure of a pose does, None where it stands."""
+    if not words.poses:
+        return None
+    poses = merge_names(words.poses, cast.poses, "pose", {name: pose.label for name, pose in cast.poses.items()})
+    return FigureFrame(poses, {}, {FACES_OWN: 1.0}, None, {}, None, 0.0)
 
 
 def pose_of(cast: Cast | PlayingCast, frame: Frame) -> Pose:

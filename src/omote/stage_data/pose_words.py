@@ -24,7 +24,7 @@ Weights = tuple[tuple[str, float], ...]
 class PoseWords:
     """A pose whose numbers are read and right, and whose faces and expressions are still as they were typed.
 
-    What the expressions leave of one is neutral.
+    What the expressions leave of one is neutral. poses: of a figure; without any it stands.
     """
 
     faces: Weights
@@ -33,16 +33,27 @@ class PoseWords:
     head: Head
     gaze: Gaze
     light: Mapping[str, float]
+    poses: Weights = ()
 
 
-def read_pose(*, face: str, expression: str, channel: str, turn: str, gaze: str, light: str) -> PoseWords:
+def read_pose(
+    *, face: str, expression: str, channel: str, turn: str, gaze: str, light: str, pose: str = ""
+) -> PoseWords:
     """Reads the words of a pose; ValueError for what is not understood or out of range, TypeError for what is no
     text.
 
     face, expression, light: mixes as they are typed; channel: blendshape weights as they are typed; turn, gaze: angles
-    in degrees as they are typed.
+    in degrees as they are typed; pose: a mix of poses of a figure.
     """
-    texts = {"face": face, "expression": expression, "channel": channel, "turn": turn, "gaze": gaze, "light": light}
+    texts = {
+        "face": face,
+        "expression": expression,
+        "channel": channel,
+        "turn": turn,
+        "gaze": gaze,
+        "light": light,
+        "pose": pose,
+    }
     for name, text in texts.items():
         if not isinstance(text, str):
             raise TypeError(f"{name} must be text, not {text!r}; write {EXAMPLES[name]}")
@@ -53,12 +64,14 @@ def read_pose(*, face: str, expression: str, channel: str, turn: str, gaze: str,
         head=Head(*read_angles(turn, "turn", HEAD_LIMITS)),
         gaze=Gaze(*read_angles(gaze, "gaze", GAZE_LIMITS)),
         light=merge_names(read_mix(light, "light"), LIGHTS, "light"),
+        poses=read_mix(pose, "pose") if pose else (),
     )
 
 
 EXAMPLES: Mapping[str, str] = {
     "face": "face='kaori=0.5+dog'", "expression": "expression='smile=0.7'", "channel": "channel='jawOpen=0.5'",
     "turn": "turn='30,-5'", "gaze": "gaze='10,-5'", "light": "light='theatre=0.5+flat'",
+    "pose": "pose='bow'",
 }  # fmt: skip
 """How each of them is written, for messages."""
 

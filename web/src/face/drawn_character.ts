@@ -6,6 +6,11 @@ import type { Anatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import type { Blender, BlendTarget } from "./blend/blender";
 import type { Eyeballs } from "./blend/sum_pass";
+import { Figure, type FigureCall } from "./figure/figure";
+import { FIGURE_BOUNDS, figurePoints, figureShot, groundOf, type ShotSize } from "./figure/figure_framing";
+import type { FigureJob, FigurePass } from "./figure/figure_pass";
+import { CONTACTS } from "./figure/floor";
+import type { SharedFigures } from "./figure/shared_figures";
 import { type Point, type Shot, shotOfHead, turnedAbout } from "./framing";
 import { Hair } from "./hair/hair";
 import { createHairStock, type HairStock } from "./hair/hair_assignment";
@@ -16,11 +21,11 @@ import type { HeadUniforms } from "./head/head";
 import { type CharacterUniforms, characterUniforms, copyHead, type HeadTemplate } from "./head/head_template";
 import { writeLight } from "./light/light_uniforms";
 import { type Light, lightTurned } from "./light/lights";
-import { Shadow } from "./light/shadow";
+import { SHADOW_CENTRE, Shadow } from "./light/shadow";
 import { dropOf, placed, placeMatrix } from "./placement";
 import { complexionOf } from "./pose/complexion";
 import { headOf } from "./pose/head_answer";
-import { type Pose, writeTurn } from "./pose/pose";
+import { type Pose, STANDING, writeTurn } from "./pose/pose";
 import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
@@ -43,6 +48,9 @@ export interface SharedParts {
   readonly hairStock: HairStock;
   readonly residency: AssetResidency;
   readonly pictures: SkinPictures;
+  /** What bodies share, and how much of them is seen; without them heads are drawn alone. */
+  readonly figures?: SharedFigures | undefined;
+  readonly shotSize?: ShotSize | undefined;
 }
 
 /** What the characters of a view share; `upload`: a texture to the GPU. */
@@ -71,13 +79,16 @@ export class DrawnCharacter {
   private readonly hair: Hair;
   private readonly sourceCrossfade: SourceCrossfade;
   private readonly bounds = new THREE.Box3();
+  private readonly figure: Figure | undefined;
+  private readonly jobs: FigureJob[] = [];
   private uniforms!: CharacterUniforms;
   private target!: BlendTarget;
   private shadow!: Shadow;
   private blended = "";
   private pose: Pose; // by source, as it is drawn
   private whole = false;
-  private points: readonly Point[] = [];
+  private points: readonly Point[] = []; // those of its head first
+  private headPoints = 0;
   private turn: readonly [number, number, number] = [0, 0, 0];
   /** Its farthest points as they were drawn last; none where no part of it was in the picture. */
   seen: readonly Point[] = [];
@@ -106,12 +117,18 @@ export class DrawnCharacter {
     this.hair = new Hair(library, anatomy, parts.hairStock);
     this.sourceCrossfade = new SourceCrossfade(library);
     this.pose = called;
+    this.figure = parts.figures && new Figure(library, parts.figures);
   }
 
   /** Makes its part of the GPU's memory, on a new graphics context too; `common`: the textures that hold for everybody. */
-  build(blender: Blender, common: HeadUniforms): void {
+  build(blender: Blender, common: HeadUniforms, figurePass?: FigurePass): void {
     this.target = blender.createTarget();
     this.uniforms = characterUniforms(this.target, common);
+    if (this.figure !== undefined && figurePass !== undefined) {
+      const { positions, normals } = this.figure.build(figurePass);
+      this.uniforms.shared.figurePositions.value = new THREE.ExternalTexture(positions);
+      this.uniforms.shared.figureNormals.value = new THREE.ExternalTexture(normals);
+    }
     this.shadow = new Shadow(this.uniforms.shared);
     this.paint = new SkinPaint(this.uniforms.shared);
     this.blended = "";
@@ -160,6 +177,9 @@ export class DrawnCharacter {
     this.parts.residency.want(faces, expressions);
     this.parts.pictures.want(faces);
     this.hair.want(faces);
+    const all = (list: readonly string[]) => Object.fromEntries(list.map((name) => [name, 1]));
+    const mix = pose.figure ?? STANDING;
+    this.figure?.want({ mix, faces: all([...names.faces, ...coming.faces]), sources: all(faces) });
   }
 
   /** Its pose by source, `seconds` after the last frame. */
@@ -177,12 +197,46 @@ export class DrawnCharacter {
   place(shot: Shot, centred: boolean): PlacedHead {
     const { uniforms, called, parts, head } = this;
     this.turnHead();
-    placeMatrix(called.place, 0, head.matrix);
-    const framed = { ...uniforms.shared, straight: parts.looks.extremes(this.pose), centred };
+    this.stands(0, 0);
+    const straight = parts.looks.extremes(this.pose);
+    const framed = { ...uniforms.shared, straight, centred };
     const { shot: near, points } = shotOfHead(shot, framed);
-    const { shot: own, points: standing } = placed(near, points, called.place, head.matrix);
+    const { shot: framedShot, body } = this.frameBody(near, straight, centred);
+    const place = { ...called.place, size: this.size };
+    const { shot: own, points: standing } = placed(framedShot, [...points, ...body], place, head.matrix);
     this.points = standing;
+    this.headPoints = points.length;
     return { shot: own, points: standing, presence: called.presence };
+  }
+
+  /** The shot of its figure, where it has one, and the points of it that a picture has to hold. */
+  private frameBody(near: Shot, straight: readonly Point[], centred: boolean): { shot: Shot; body: Point[] } {
+    const { figure, ground } = this;
+    const { shotSize } = this.parts;
+    if (figure === undefined || shotSize === undefined) return { shot: near, body: [] };
+    const [x, y, z] = near.centre;
+    const [aside, up, ahead] = ground.offset;
+    const still: Shot = centred ? near : { ...near, centre: [x - aside, y - up, z - ahead] }; // as if the body stood
+    return { shot: figureShot(figure, shotSize, straight) ?? still, body: figurePoints(figure, shotSize) };
+  }
+
+  /** How large it is drawn. */
+  private get size(): number {
+    return this.called.place.size * this.ground.size;
+  }
+
+  /** How it stands on the floor, where that is seen. */
+  private get ground(): { offset: Point; size: number } {
+    const { figure, parts, called, uniforms } = this;
+    if (figure === undefined || parts.shotSize === undefined) return { offset: [0, 0, 0], size: 1 };
+    return groundOf(figure, parts.shotSize, called.place.size, uniforms.shared);
+  }
+
+  /** Puts it in its place, `aside` to the picture's right and so much lower, metres. */
+  private stands(aside: number, drop: number): void {
+    const { head, called, ground } = this;
+    const place = { ...called.place, x: called.place.x + aside, size: called.place.size * ground.size };
+    placeMatrix(place, drop, head.matrix).multiply(new THREE.Matrix4().makeTranslation(...ground.offset));
   }
 
   /**
@@ -193,14 +247,15 @@ export class DrawnCharacter {
     const { head, called, bounds } = this;
     const presence = called.presence * (1 - sunk) * this.risen * this.risen * (3 - 2 * this.risen);
     const half = Math.tan((camera.fov * Math.PI) / 360);
-    const drop = dropOf(presence, this.points, called.place.size, camera.position.toArray(), half);
-    placeMatrix({ ...called.place, x: called.place.x + aside }, drop, head.matrix);
+    const drop = dropOf(presence, this.points, this.size, camera.position.toArray(), half);
+    this.stands(aside, drop);
     head.matrixWorldNeedsUpdate = true;
     this.uniforms.shared.viewPoint.value.copy(camera.position).applyMatrix4(head.matrix.clone().invert());
-    bounds.copy(BOUNDS).applyMatrix4(head.matrix);
+    bounds.copy(this.figure === undefined ? BOUNDS : FIGURE_BOUNDS).applyMatrix4(head.matrix);
     head.visible = presence > 0 && frustum.intersectsBox(bounds);
-    this.seen = head.visible ? this.points.map(([x, y, z]) => [x + aside, y - drop, z]) : [];
-    return this.seen;
+    const seen = head.visible ? this.points.map(([x, y, z]): Point => [x + aside, y - drop, z]) : [];
+    this.seen = seen.slice(0, this.headPoints);
+    return seen;
   }
 
   /** Has what is seen of it blended on the GPU where it has changed, and dresses its hair; true where `finish` has to draw. */
@@ -208,11 +263,19 @@ export class DrawnCharacter {
     const { residency } = this.parts;
     if (this.whole && !this.head.visible) return false;
     const touched = this.blendFace(blender);
+    const job = this.figure?.job(this.target.positions, touched);
+    if (job !== undefined) this.jobs.push(job);
     this.hair.follow(this.turn, seconds, atOnce || !this.whole);
     this.hair.dress(residency.faces(this.pose, blender), seconds, atOnce || !this.whole);
-    this.whole ||= this.blended !== "" && (atOnce || (this.hair.here && this.parts.pictures.here(this.faces))); // at once: what is wanted for later may be on its way
+    const here = this.hair.here && this.parts.pictures.here(this.faces) && this.figure?.here !== false;
+    this.whole ||= this.blended !== "" && (atOnce || here); // at once: what is wanted for later may be on its way
     this.head.visible &&= this.whole;
     return touched;
+  }
+
+  /** What of its figure is to be drawn now that its head is blended; each is given once. */
+  takeFigure(): FigureJob[] {
+    return this.jobs.splice(0);
   }
 
   /** Dresses it in its faces' looks and in the light. */
@@ -237,6 +300,7 @@ export class DrawnCharacter {
     const { residency } = this.parts;
     if (!this.sourceCrossfade.settled(this.called) || !residency.shownInFull(this.pose, blender)) return false;
     if (!this.parts.pictures.settled(this.faces)) return false;
+    if (this.figure?.here === false) return false;
     return this.whole && this.risen === 1 && (!this.head.visible || this.hair.settled);
   }
 
@@ -257,12 +321,17 @@ export class DrawnCharacter {
 
   /** Waits for all of its hair, and the pictures on its skin. */
   async complete(): Promise<void> {
-    await Promise.all([this.hair.complete(), this.parts.pictures.complete()]);
+    await Promise.all([this.hair.complete(), this.parts.pictures.complete(), this.figure?.complete()]);
   }
 
   /** Its blended positions, read back from the GPU. */
   readPositions(blender: Blender): Float32Array {
     return blender.readPositions(this.target);
+  }
+
+  /** The rows of its figure, read back from the GPU. */
+  readFigure(): Float32Array {
+    return this.figure?.readPositions() ?? new Float32Array();
   }
 
   /** How far its skin is pressed, read back from the GPU. */
@@ -272,13 +341,15 @@ export class DrawnCharacter {
 
   /** Where vertices of its skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
   placesOf(rows: readonly number[], camera: THREE.PerspectiveCamera, blender: Blender): number[][] {
-    const positions = this.readPositions(blender);
-    const { pivot, headTurn } = this.uniforms.shared;
+    const positions = this.figure === undefined ? this.readPositions(blender) : this.readFigure();
+    const { pivot, headTurn, headPlace } = this.uniforms.shared;
     const points = rows.map((row): Point => {
       const [x = 0, y = 0, z = 0] = positions.subarray(3 * row, 3 * row + 3);
       return [x, y, z];
     });
-    return turnedAbout(points, pivot.value, headTurn.value).map((point) => {
+    const turned =
+      this.figure === undefined ? turnedAbout(points, pivot.value, headTurn.value, headPlace.value) : points;
+    return turned.map((point) => {
       const standing = new THREE.Vector3(...point).applyMatrix4(this.head.matrix);
       const depth = -standing.clone().applyMatrix4(camera.matrixWorldInverse).z;
       const { x, y } = standing.project(camera);
@@ -292,6 +363,7 @@ export class DrawnCharacter {
     this.hair.dispose();
     this.shadow.dispose();
     this.paint.dispose();
+    this.figure?.dispose();
     blender.drop(this.target);
   }
 
@@ -317,18 +389,46 @@ export class DrawnCharacter {
     const [yaw, pitch, roll] = this.turn;
     const turn = new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(-pitch, yaw, -roll, "YXZ"));
     shared.headTurn.value.setFromMatrix4(turn);
+    if (this.figure !== undefined) this.carryHead(this.figure);
+  }
+
+  /** The head as its body carries it: neck and spine share its turn. */
+  private carryHead(figure: Figure): void {
+    const { shared } = this.uniforms;
+    const { called, pose } = this;
+    const call: FigureCall = {
+      mix: called.figure ?? STANDING,
+      head: this.turn,
+      faces: called.faces,
+      sources: pose.faces,
+    };
+    figure.move(call);
+    const { turn, pivot, place } = figure.head;
+    shared.headTurn.value.set(...turn);
+    shared.pivot.value.set(...pivot);
+    shared.headPlace.value.set(...place);
+    const { x, y, z } = new THREE.Euler().setFromRotationMatrix(
+      new THREE.Matrix4().setFromMatrix3(shared.headTurn.value),
+      "YXZ",
+    );
+    this.turn = [y, -x, -z];
+    const centre = shared.shadowCentre.value.copy(SHADOW_CENTRE).sub(shared.pivot.value);
+    centre.applyMatrix3(shared.headTurn.value).add(shared.headPlace.value);
+    shared.soles.value = figure.soles;
+    for (const [place, name] of CONTACTS.entries())
+      shared.contacts.value[place]?.set(...(figure.joint(name) ?? [0, 0, 0]));
   }
 
   /** The eyeballs as they are blended, turned with the head. */
   private turnEyes(): void {
     const { shared, eyes } = this.uniforms;
-    const pivot = shared.pivot.value;
+    const [pivot, place] = [shared.pivot.value, shared.headPlace.value];
     eyes.forEach((eye, side) => {
       eye.centre.value
         .fromArray(this.eyeballs.centres, 3 * side)
         .sub(pivot)
         .applyMatrix3(shared.headTurn.value)
-        .add(pivot);
+        .add(place);
       eye.eyeTurn.value.fromArray(this.eyeballs.turns, 9 * side).premultiply(shared.headTurn.value);
     });
   }

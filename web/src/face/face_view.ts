@@ -3,8 +3,12 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
+import { rowTriangles } from "./anatomy/topology";
 import { Blender } from "./blend/blender";
 import { type Coming, DrawnCharacter, type SharedParts, sharedParts } from "./drawn_character";
+import type { ShotSize } from "./figure/figure_framing";
+import { FigurePass } from "./figure/figure_pass";
+import { loadFigures, type SharedFigures } from "./figure/shared_figures";
 import { type PictureBox, PORTRAIT, portraitCamera, type Shot, tileView, type WallTile } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
@@ -36,9 +40,12 @@ export interface FaceViewOptions {
   /** What the picture may cost; by default what suits the machine. */
   level?: Level | undefined;
   shot?: Shot;
+  /** How much of its figures the picture shows; without it heads are drawn alone. */
+  shotSize?: ShotSize | undefined;
 }
 
-const featuresHere = (level: Level): Features => featuresOf(level, drawsInSoftware());
+/** From where on nothing is seen, metres: a camera stands far off for whole figures. */
+const FAR = 60;
 
 /** A level of quality that will be drawn, once its shaders are ready. */
 interface NextLevel {
@@ -58,6 +65,7 @@ export class FaceView {
   private backdrop = new Backdrop();
   private common!: HeadUniforms;
   private blender!: Blender;
+  private figurePass: FigurePass | undefined;
   private template!: HeadTemplate;
   private called: ScenePose;
   private light: Pose["light"];
@@ -83,13 +91,19 @@ export class FaceView {
     anatomy: Anatomy,
     private readonly layers: readonly ImageBitmap[],
     private readonly options: FaceViewOptions,
+    figures: SharedFigures | undefined,
   ) {
+    if (figures !== undefined) this.camera.far = FAR;
     this.shot = options.shot ?? PORTRAIT;
     this.level = this.wanted = options.level ?? firstLevel(drawsInSoftware());
     this.renderer = createRenderer(canvas);
     this.crossfade = new PictureCrossfade(this.renderer);
     this.smoothing = new EdgeSmoothing(this.renderer);
-    this.parts = sharedParts(library, anatomy, (texture) => this.renderer.initTexture(texture));
+    this.parts = {
+      ...sharedParts(library, anatomy, (texture) => this.renderer.initTexture(texture)),
+      figures,
+      shotSize: options.shotSize,
+    };
     this.called = alone(restPose(library.manifest.faces[0]?.name ?? "generic"));
     this.light = lightOf(this.called) as Pose["light"];
     this.build();
@@ -104,8 +118,12 @@ export class FaceView {
     options: FaceViewOptions = {},
   ): Promise<FaceView> {
     if (!hasWebGL2()) throw new Error(NO_WEBGL2); // first: what cannot be drawn is not fetched
-    const [anatomy, layers] = await Promise.all([loadAnatomy(library), library.layers().catch(() => [])]);
-    return new FaceView(canvas, library, anatomy, layers, options);
+    const [anatomy, layers, figures] = await Promise.all([
+      loadAnatomy(library),
+      library.layers().catch(() => []),
+      options.shotSize === undefined ? undefined : loadFigures(library),
+    ]);
+    return new FaceView(canvas, library, anatomy, layers, options, figures);
   }
 
   /** What the next `render` draws; `coming`: names that a character will need soon. */
@@ -130,10 +148,10 @@ export class FaceView {
     const { common } = this;
     const [template, heads] = [this.templateOf(level), new Map<DrawnCharacter, THREE.Group>()];
     for (const character of this.characters.values())
-      heads.set(character, character.prepare(template, featuresHere(level)));
+      heads.set(character, character.prepare(template, this.featuresAt(level)));
     const compile = (part: THREE.Object3D) => this.renderer.compileAsync(part, this.camera, this.scene).then(() => {});
     const [first] = heads;
-    if (first !== undefined) await first[0].compile(first[1], featuresHere(level), compile);
+    if (first !== undefined) await first[0].compile(first[1], this.featuresAt(level), compile);
     if (this.wanted === level && this.common === common) this.next = { level, template, heads };
     else for (const [character, head] of heads) character.forget(head); // another was wished for, or the context was lost
   }
@@ -141,7 +159,7 @@ export class FaceView {
   /** Sets the size in CSS pixels. */
   resize(width: number, height: number): void {
     const display = Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2);
-    this.renderer.setPixelRatio(pixelRatio(featuresHere(this.level), width, height, display));
+    this.renderer.setPixelRatio(pixelRatio(this.featuresAt(this.level), width, height, display));
     this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
   }
 
@@ -157,10 +175,12 @@ export class FaceView {
     const columns = this.frame();
     const blended = characters.map((character) => character.blend(this.blender, seconds, atOnce));
     if (blended.includes(true)) {
-      this.blender.onProcessor = !featuresHere(this.level).shaderBlend;
+      this.blender.onProcessor = !this.featuresAt(this.level).shaderBlend;
       this.blender.finish();
-      this.renderer.resetState();
     }
+    const jobs = characters.flatMap((character) => character.takeFigure());
+    this.figurePass?.draw(jobs);
+    if (blended.includes(true) || jobs.length > 0) this.renderer.resetState();
     this.parts.pictures.advance(characters, seconds, atOnce);
     if (this.next !== undefined) this.exchange(this.next, columns);
     this.paint(columns);
@@ -208,6 +228,11 @@ export class FaceView {
     return this.characters.get(name)?.readPositions(this.blender) ?? new Float32Array();
   }
 
+  /** The rows of a character's figure, skin then body, (rows, 3) metres, read back from the GPU (slow: for tests). */
+  readFigure(name = [...this.characters.keys()][0] ?? ""): Float32Array {
+    return this.characters.get(name)?.readFigure() ?? new Float32Array();
+  }
+
   /** How far a character's skin is pressed, (vertices, 3): level, mixed, upright, read back from the GPU (slow: for tests). */
   readStrains(name = [...this.characters.keys()][0] ?? ""): Float32Array {
     return this.characters.get(name)?.readStrains(this.blender) ?? new Float32Array();
@@ -225,12 +250,22 @@ export class FaceView {
     this.canvas.removeEventListener("webglcontextlost", this.contextLost);
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
     for (const character of this.characters.values()) character.dispose(this.blender);
+    this.figurePass?.dispose();
     for (const part of [this.parts.pictures, this.blender, this.smoothing, this.renderer]) part.dispose();
   }
 
+  /** What is drawn at a level here. */
+  private featuresAt(level: Level): Features {
+    return { ...featuresOf(level, drawsInSoftware()), figure: this.parts.figures !== undefined };
+  }
+
   private templateOf(level: Level): HeadTemplate {
-    const { library, anatomy } = this.parts;
-    return headTemplate({ meshes: library.meshes, anatomy, features: featuresHere(level) }, this.common);
+    const { library, anatomy, figures, shotSize } = this.parts;
+    const onFloor = shotSize === "full" && this.options.background === undefined; // a colour is there to be keyed
+    return headTemplate(
+      { meshes: library.meshes, anatomy, features: this.featuresAt(level), figures, onFloor },
+      this.common,
+    );
   }
 
   private build(): void {
@@ -245,9 +280,10 @@ export class FaceView {
       foldingFans,
       drawsInSoftware(),
     );
+    this.figurePass = this.createFigurePass();
     this.common = headUniforms(null, null);
-    applyLayers(this.common, this.layers, featuresHere(this.wanted));
-    this.parts.pictures.rebuild(featuresHere(this.wanted));
+    applyLayers(this.common, this.layers, this.featuresAt(this.wanted));
+    this.parts.pictures.rebuild(this.featuresAt(this.wanted));
     this.scene = new THREE.Scene();
     this.backdrop = new Backdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop.mesh);
@@ -258,10 +294,17 @@ export class FaceView {
     this.renderer.resetState();
   }
 
+  private createFigurePass(): FigurePass | undefined {
+    const { figures, library } = this.parts;
+    const skin = library.meshes.find(({ name }) => name === "skin");
+    if (figures === undefined || skin === undefined) return undefined;
+    return new FigurePass(this.context, figures, rowTriangles(skin));
+  }
+
   /** Takes a character onto the stage, or onto a new graphics context. */
   private add(name: string, character: DrawnCharacter): DrawnCharacter {
-    character.build(this.blender, this.common);
-    character.exchange(character.prepare(this.template, featuresHere(this.level)));
+    character.build(this.blender, this.common, this.figurePass);
+    character.exchange(character.prepare(this.template, this.featuresAt(this.level)));
     this.scene.add(character.head);
     this.characters.set(name, character);
     this.renderer.resetState();
@@ -276,7 +319,7 @@ export class FaceView {
     for (const part of this.template.head.children) if (part instanceof THREE.Mesh) part.geometry.dispose();
     [this.level, this.template] = [level, template];
     for (const character of this.characters.values()) {
-      const head = heads.get(character) ?? character.prepare(template, featuresHere(level));
+      const head = heads.get(character) ?? character.prepare(template, this.featuresAt(level));
       character.exchange(head);
       this.scene.add(head);
     }
@@ -310,8 +353,8 @@ export class FaceView {
     const mixed = mixLights(own === undefined ? this.light : { [own]: 1 }); // on air, or of this stage alone
     const light = background === undefined ? mixed : before(mixed, background);
     for (const character of this.characters.values())
-      if (character.head.visible) character.dress(this.renderer, light, featuresHere(this.level));
-    this.backdrop.first = featuresHere(this.level).multisample;
+      if (character.head.visible) character.dress(this.renderer, light, this.featuresAt(this.level));
+    this.backdrop.first = this.featuresAt(this.level).multisample;
     this.backdrop.light(light);
     this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
   }

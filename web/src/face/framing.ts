@@ -49,9 +49,9 @@ export function tileView(
 /** Hair, and air around what a picture has to hold, metres. */
 export const AIR = 0.012;
 
-/** Points of a head that turns about a pivot. */
-export function turnedAbout(points: readonly Point[], pivot: Vector3, turn: Matrix3): Point[] {
-  return points.map((point) => new Vector3(...point).sub(pivot).applyMatrix3(turn).add(pivot).toArray());
+/** Points of a head that turns about a pivot, which is carried to `place`. */
+export function turnedAbout(points: readonly Point[], pivot: Vector3, turn: Matrix3, place = pivot): Point[] {
+  return points.map((point) => new Vector3(...point).sub(pivot).applyMatrix3(turn).add(place).toArray());
 }
 
 /** A shot that keeps a turned head where it is straight: by the middle of its farthest points but the lowest, the neck's. */
@@ -141,10 +141,11 @@ export function boxOf(camera: PerspectiveCamera, points: readonly Point[]): Pict
   return left < 1 && right > 0 && top < 1 && bottom > 0 ? box : null;
 }
 
-/** A head to be framed: its farthest points while it is straight, and how it is turned about a pivot. */
+/** A head to be framed: its farthest points while it is straight, and how it is turned about a pivot, which is at a place. */
 export interface FramedHead {
   straight: readonly Point[];
   pivot: { readonly value: Vector3 };
+  headPlace: { readonly value: Vector3 };
   headTurn: { readonly value: Matrix3 };
   /** Whether it stays in the middle of the picture when it turns. */
   centred: boolean;
@@ -153,9 +154,9 @@ export interface FramedHead {
 /** The shot of a head, and its farthest points as it is turned. */
 export function shotOfHead(
   shot: Shot,
-  { straight, pivot, headTurn, centred }: FramedHead,
+  { straight, pivot, headTurn, headPlace, centred }: FramedHead,
 ): { shot: Shot; points: Point[] } {
-  const points = turnedAbout(straight, pivot.value, headTurn.value);
+  const points = turnedAbout(straight, pivot.value, headTurn.value, headPlace.value);
   return { shot: centred ? following(shot, straight, points) : shot, points };
 }
 

@@ -3,11 +3,14 @@
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "./arrays";
 import { downloads } from "./fetch_progress";
+import { type Body, type FigurePose, type FigureSpace, readBody, readFigurePose, readFigureSpace } from "./figures";
 import type {
+  BodyAsset,
   CompoundAsset,
   ExpressionDocument,
   FaceAsset,
   FaceDocument,
+  FigureAsset,
   HairAsset,
   LineDocument,
   Manifest,
@@ -126,6 +129,9 @@ export class Library {
   private readonly positioned = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
   private readonly styles = new Map<string, Promise<HairStrands>>();
+  private readonly bodies = new Map<string, Promise<Body>>();
+  private space: Promise<FigureSpace> | undefined;
+  private posed: ReadonlyMap<string, FigurePose> | undefined;
   private picture: Promise<ImageBitmap[]> | undefined;
 
   constructor(
@@ -157,6 +163,7 @@ export class Library {
   /** Another cast on the same built-in one: names come, change what they stand for, or go. */
   recast(manifest: Manifest): void {
     this.present = manifest;
+    this.posed = undefined;
     for (const kind of ["faces", "expressions"] as const) {
       const documents: readonly (FaceDocument | ExpressionDocument)[] = manifest[kind];
       this.sources[kind] = new Map(documents.map(({ name, source }) => [name, source]));
@@ -213,6 +220,37 @@ export class Library {
         throw new Error(`There is no compound of "${face}" and "${expression}" in this cast.`);
       return readCompound(await fetchWithRetry(`/compounds/${path}`, this.read), this.manifest.vertices);
     });
+  }
+
+  /** What all bodies share; an Error where the cast has no figures. */
+  figures(): Promise<FigureSpace> {
+    this.space ??= this.readFigures();
+    this.space.catch(() => {
+      this.space = undefined; // a failure may be asked again
+    });
+    return this.space;
+  }
+
+  private async readFigures(): Promise<FigureSpace> {
+    const url = this.manifest.figures?.url;
+    if (url === undefined) throw new Error("This cast has no figures; bake it again.");
+    return readFigureSpace(decode(await fetchWithRetry(url, this.read)) as FigureAsset, this.manifest.skin);
+  }
+
+  /** A body by its name. */
+  body(name: string): Promise<Body> {
+    return remembered(this.bodies, name, async () => {
+      const url = this.manifest.figures?.bodies.find((body) => body.name === name)?.url;
+      if (url === undefined) throw new Error(`There is no body "${name}" in this cast.`);
+      const [space, bytes] = await Promise.all([this.figures(), fetchWithRetry(url, this.read)]);
+      return readBody(decode(bytes) as BodyAsset, space);
+    });
+  }
+
+  /** The poses of the cast, by name; none where it has no figures. */
+  get poses(): ReadonlyMap<string, FigurePose> {
+    this.posed ??= new Map((this.manifest.figures?.poses ?? []).map((pose) => [pose.name, readFigurePose(pose)]));
+    return this.posed;
   }
 
   /** The picture on a face's skin, decoded off the main thread; it is the caller's to close. */

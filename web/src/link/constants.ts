@@ -76,6 +76,8 @@ export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as co
 export const DEFAULT_EASING = "smooth";
 /** The levels of quality, from the cheapest to the best. */
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
+/** How much of a figure a picture shows. */
+export const SHOT_SIZES = ["head", "bust", "half", "full"] as const;
 /** The lowest and the highest weight of a channel. */
 export const CHANNEL_RANGE = [-0.5, 1.5] as const;
 /** A face's gains where it sets none, by region, in the order of the panels. */

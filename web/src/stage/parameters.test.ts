@@ -72,6 +72,7 @@ describe("a stage's address", () => {
     ["?background=#00b14", "background=#00b14"],
     ["?background=#000000&transparent", "exclude"],
     ["?light=candle", "light=candle"],
+    ["?shot=wide", "shot=wide"],
     ["?quality=best", "quality=best"],
     ["?tile=1&of=3x3", "tile=1"],
     ["?tile=-1,0&of=3x3", "tile=-1,0"],

@@ -1,11 +1,12 @@
 /** Reads and checks the parameters of a stage's address. */
 
+import type { ShotSize } from "../face/figure/figure_framing";
 import type { WallTile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
 import type { Bus } from "../link/bus";
-import { BACKGROUNDS, LEVELS, LIGHTS } from "../link/constants";
+import { BACKGROUNDS, LEVELS, LIGHTS, SHOT_SIZES } from "../link/constants";
 import type { SoundWish } from "./stage_sound";
 
 /** Everything a stage is told by its address. */
@@ -27,6 +28,8 @@ export interface StageParameters {
   sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
+  /** How much of its figures the picture shows; undefined: heads alone. */
+  shotSize: ShotSize | undefined;
   /** What the crew calls this stage; "" for none. */
   name: string;
 }
@@ -47,6 +50,7 @@ const PARAMETERS = [
   "name",
   "sound",
   "bus",
+  "shot",
 ];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
@@ -74,6 +78,7 @@ export function readParameters(query: string): StageParameters {
     bus,
     character: readCharacter(parameters.get("character")),
     sound: !parameters.has("sound") ? "may" : readSwitch(parameters, "sound") ? "here" : "never",
+    shotSize: readShot(parameters.get("shot")),
     name: readName(parameters.get("name")),
   };
 }
@@ -124,6 +129,12 @@ function readLight(value: string | null): string | undefined {
   if (!Object.keys(LIGHTS).includes(value))
     throw new ParameterError(`light=${value} is unknown; write ${Object.keys(LIGHTS).join(", ")}.`);
   return value;
+}
+
+function readShot(value: string | null): ShotSize | undefined {
+  const size = SHOT_SIZES.find((name) => name === value);
+  if (value === null || size !== undefined) return size;
+  throw new ParameterError(`shot=${value} is unknown; write one of ${SHOT_SIZES.join(", ")}, or leave it out: heads.`);
 }
 
 function readQuality(value: string | null): Level | "auto" {

@@ -366,6 +366,7 @@ const loadView = (
     background: parameters.background,
     light: parameters.light,
     tile: parameters.tile,
+    shotSize: parameters.shotSize,
     level: parameters.quality === "auto" ? level : parameters.quality,
   });
 

@@ -44,6 +44,8 @@ export interface StageProbe {
   change(level: Level): Promise<void>;
   /** The blended positions (vertices x 3, metres) of a character, by default the first, read back from the GPU. */
   readPositions(character?: string): number[];
+  /** The rows of a character's figure, by default the first's: skin, then body (rows x 3, metres), read back from the GPU. */
+  readFigure(character?: string): number[];
   /** How far the skin of a character is pressed (vertices x 3: level, mixed, upright), read back from the GPU. */
   readStrains(character?: string): number[];
   /** Where vertices of the first character's skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
@@ -96,6 +98,7 @@ export function exposeProbe(stage: Stage): void {
     ...sheetProbe(),
     change: (level) => stage.view.change(level),
     readPositions: (character) => Array.from(stage.view.readPositions(character)),
+    readFigure: (character) => Array.from(stage.view.readFigure(character)),
     readStrains: (character) => Array.from(stage.view.readStrains(character)),
     places: (rows) => stage.view.placesOf(rows),
     counters: () => stage.counters(),

@@ -204,11 +204,13 @@ class Renderer:
     luminance, contrast : float, optional
         The mean of relative luminance (linear light, 0 to 1) that the picture gets, and its standard deviation over the
         mean; of what the mask leaves and what is not transparent.
+    framing : {"", "head", "bust", "half", "full"}
+        How much of a figure the pictures show; "" for a head alone.
 
     Raises
     ------
     ValueError
-        Where the size, the quality, the mask or the cast's head is none that can be drawn.
+        Where the size, the quality, the mask, the framing or the cast's head is none that can be drawn.
 
     Notes
     -----
@@ -237,12 +239,13 @@ class Renderer:
         mask: str = "",
         luminance: float | None = None,
         contrast: float | None = None,
+        framing: str = "",
     ) -> None:
         if not isinstance(size, Sequence) or len(size) != 2:
             raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
         self._setting = Setting(
             *size, background=background, transparent=transparent, quality=quality, hair=hair, mask=mask,
-            luminance=luminance, contrast=contrast,
+            luminance=luminance, contrast=contrast, framing=framing,
         )  # fmt: skip
         if len(cast.space.points) != len(load_cast().space.points):
             raise ValueError(
@@ -328,6 +331,7 @@ def render(
     mask: str = "",
     luminance: float | None = None,
     contrast: float | None = None,
+    framing: str = "",
     path: str | Path | None = None,
 ) -> NDArray[np.uint8]:
     """The picture of a frame, as the stage and `omote render` draw it, without a window.
@@ -355,6 +359,8 @@ def render(
         The mean of relative luminance (linear light, 0 to 1) that the picture gets, and its standard deviation over the
         mean; of what the mask leaves and what is not transparent. Of more contrast than a face is drawn with (0.2 to
         0.6) the dark parts are cut off to black.
+    framing : {"", "head", "bust", "half", "full"}
+        How much of a figure the picture shows; "" for a head alone.
     path : str or Path, optional
         A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.
 
@@ -391,7 +397,7 @@ def render(
     target = _picture_path(path)
     with Renderer(
         cast, size=size, background=background, transparent=transparent, quality=quality, hair=hair, mask=mask,
-        luminance=luminance, contrast=contrast,
+        luminance=luminance, contrast=contrast, framing=framing,
     ) as renderer:  # fmt: skip
         return renderer(frame, path=target)
 
@@ -434,6 +440,8 @@ def query(setting: Setting) -> str:
         words["transparent"] = "1"
     if not setting.hair:
         words["hair"] = "0"
+    if setting.framing:
+        words["shot"] = setting.framing
     return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 

@@ -191,8 +191,11 @@ void main() {
   vec3 swung = HANGS * min(1.0, length_ * metres / LONG) * place.y * place.y * cross(swing, spot);
   swung -= 0.8 * min(dot(swung, away), 0.0) * away; // not into the head
   spot = length(spot) * normalize(spot + swung + 1e-7);
-  vec3 point = fetchRow(positions) + spot;
-  point = turned(point, 1.0);
+#ifdef FIGURE
+  vec3 point = fetchRow(figurePositions) + headTurn * spot; // its root stays on a neck that bends
+#else
+  vec3 point = turned(fetchRow(positions) + spot, 1.0);
+#endif
   along = headTurn * along;
   float open = facing.w * mix(0.45, 1.0, smoothstep(0.0, 0.22, place.y));
   vec3 view = viewPoint - point;

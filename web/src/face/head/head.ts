@@ -3,6 +3,10 @@
 import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
+import { rowTriangles } from "../anatomy/topology";
+import { bodyParts } from "../figure/body_mesh";
+import { floor, floorUniforms } from "../figure/floor";
+import type { SharedFigures } from "../figure/shared_figures";
 import { material, type Uniforms } from "../gpu/renderer";
 import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
@@ -43,6 +47,14 @@ export interface HeadUniforms
   pressed: THREE.IUniform<number>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
+  /** Where the pivot is. */
+  headPlace: THREE.IUniform<THREE.Vector3>;
+  /** Rows of skin and body as a figure is posed, and their normals. */
+  figurePositions: THREE.IUniform<THREE.Texture | null>;
+  figureNormals: THREE.IUniform<THREE.Texture | null>;
+  /** Where feet and hips are, and the height of the soles of a figure that stands. */
+  contacts: THREE.IUniform<THREE.Vector3[]>;
+  soles: THREE.IUniform<number>;
   viewPoint: THREE.IUniform<THREE.Vector3>;
   grain: THREE.IUniform<THREE.Texture>;
   /** How densely hair grows at each row, 0..1. */
@@ -79,6 +91,10 @@ export function headUniforms(
     pressed: { value: 0 },
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
+    headPlace: { value: PIVOT.clone() },
+    figurePositions: { value: null },
+    figureNormals: { value: null },
+    ...floorUniforms(),
     viewPoint: { value: new THREE.Vector3() },
     grain: common?.grain ?? { value: grainTexture() },
     ...(Object.fromEntries(LOOK_COLOURS.map((part) => [part, { value: new THREE.Color() }])) as LookColours),
@@ -104,6 +120,10 @@ export interface HeadParts {
   eyes: [EyeUniforms, EyeUniforms];
   /** What the picture may cost. */
   features: Features;
+  /** What bodies share, where heads have one. */
+  figures?: SharedFigures | undefined;
+  /** Whether the floor that they stand on is drawn. */
+  onFloor?: boolean;
 }
 
 /** The whole head as a scene. */
@@ -118,16 +138,25 @@ export function buildHead(from: HeadParts): THREE.Group {
   if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
   const hairs = from.features.detail ? brows(from.meshes, from.anatomy.positions, from.shared) : undefined;
   if (hairs !== undefined) head.add(Object.assign(hairs, { name: "brows" }));
-  if (from.anatomy.rim.length > 0) {
-    const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
-    head.add(new THREE.Mesh(collar(from.anatomy, fast), cloth));
-  }
+  for (const part of belowHead(from)) head.add(part);
   for (const child of head.children) {
     child.frustumCulled = false; // the vertices are where the GPU puts them
     const look = (child as THREE.Mesh).material as THREE.RawShaderMaterial;
     look.defines = { ...look.defines, ...definesOf(from.features) };
   }
   return head;
+}
+
+/** The body of a figure, or a collar around the neck of a head alone. */
+function belowHead({ anatomy, meshes, shared, features, figures, onFloor }: HeadParts): THREE.Mesh[] {
+  const skin = meshes.find(({ name }) => name === "skin");
+  if (features.figure && figures !== undefined && skin !== undefined)
+    return [
+      ...bodyParts(figures, rowTriangles(skin), anatomy, shared, features.multisample),
+      ...(onFloor ? [floor(shared)] : []),
+    ];
+  if (anatomy.rim.length === 0) return [];
+  return [new THREE.Mesh(collar(anatomy, !features.pixelLight), material(COLLAR_VERTEX, COLLAR_FRAGMENT, shared))];
 }
 
 function drawn(mesh: Mesh, from: HeadParts, cages: Cages): THREE.Mesh[] {

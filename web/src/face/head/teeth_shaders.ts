@@ -62,7 +62,7 @@ void main() {
 
 /** Enamel, gums and mucosa by height; each tooth has its own shade. */
 export const SHEET_FRAGMENT = `${MOUTH_HEAD}
-uniform float age;
+uniform float age, fur;
 in vec2 vMarks;
 
 void main() {
@@ -76,7 +76,7 @@ void main() {
 
   float shade = fract(sin(number * 12.9) * 43.7) - 0.5;
   vec3 enamel = mix(vec3(0.84, 0.73, 0.56), vec3(0.93, 0.88, 0.79), smoothstep(0.0, 0.55, height));
-  enamel = mix(enamel, vec3(0.76, 0.76, 0.75), 0.4 * smoothstep(0.86, 1.0, height)); // the edge lets the dark through
+  enamel = mix(enamel, vec3(0.76, 0.76, 0.75), 0.4 * (1.0 - fur) * smoothstep(0.86, 1.0, height)); // a person's edge lets the dark through
   enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + 0.06 * shade);
   enamel *= mix(vec3(1.0), vec3(0.62, 0.50, 0.43), smoothstep(0.72, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
   enamel *= mix(1.0, 0.72, smoothstep(1.5, 5.5, fromMiddle));

@@ -15,12 +15,17 @@ uniform sampler2D positions;
 uniform sampler2D normals;
 uniform mat3 headTurn;
 uniform vec3 pivot;
+uniform vec3 headPlace; // where the pivot is: a body carries it
+#ifdef FIGURE
+uniform sampler2D figurePositions; // of skin and body, as the figure is posed
+uniform sampler2D figureNormals;
+#endif
 in float source;
 
 ivec2 texelOf(int row) { return ivec2(row & ${ROW_WIDTH - 1}, row >> ${ROW_SHIFT}); }
 vec3 fetchRow(sampler2D rows) { return texelFetch(rows, texelOf(int(source + 0.5)), 0).xyz; }
 vec3 rowAt(int row) { return texelFetch(positions, texelOf(row), 0).xyz; }
-vec3 turned(vec3 point, float part) { return mix(point, pivot + headTurn * (point - pivot), part); }
+vec3 turned(vec3 point, float part) { return mix(point, headPlace + headTurn * (point - pivot), part); }
 vec3 turnedNormal(vec3 normal, float part) { return normalize(mix(normal, headTurn * normal, part)); }
 vec4 project(vec3 point) { return projectionMatrix * modelViewMatrix * vec4(point, 1.0); }
 `;

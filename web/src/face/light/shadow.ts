@@ -8,8 +8,8 @@ import { DEPTH, HEIGHT_FRAGMENT, REACH } from "./shadow_shaders";
 /** The key of a geometry's user data that holds the triangles which cast a shadow, where not all do. */
 export const CASTING = "casting";
 
-/** The middle of the head and its neck, metres. */
-const CENTRE = new THREE.Vector3(0, -0.02, 0.03);
+/** The middle of the head and its neck, metres, where nothing carries the head elsewhere. */
+export const SHADOW_CENTRE = new THREE.Vector3(0, -0.02, 0.03);
 /** From the shadow's camera to the middle, metres. */
 const AWAY = 0.3;
 const UPRIGHT = new THREE.Vector3(0, 1, 0);
@@ -21,7 +21,7 @@ const PIXEL = 0.0005;
 export const shadowUniforms = () => ({
   shadowHeights: { value: null } as THREE.IUniform<THREE.Texture | null>,
   shadowDepths: { value: null } as THREE.IUniform<THREE.Texture | null>,
-  shadowCentre: { value: CENTRE.clone() },
+  shadowCentre: { value: SHADOW_CENTRE.clone() },
   shadowSide: { value: new THREE.Vector3(1, 0, 0) },
   shadowUp: { value: UPRIGHT.clone() },
   KEY_SIZE: { value: 0.05 },
@@ -77,8 +77,8 @@ export class Shadow {
     this.camera.position
       .set(...key.direction)
       .multiplyScalar(AWAY)
-      .add(CENTRE);
-    this.camera.lookAt(CENTRE);
+      .add(this.uniforms.shadowCentre.value);
+    this.camera.lookAt(this.uniforms.shadowCentre.value);
     this.camera.updateMatrixWorld();
     this.uniforms.shadowSide.value.setFromMatrixColumn(this.camera.matrixWorld, 0);
     this.uniforms.shadowUp.value.setFromMatrixColumn(this.camera.matrixWorld, 1);

@@ -39,7 +39,7 @@ float shadow(vec3 point, vec3 normal) {
   if (KEY_LIGHT.r + KEY_LIGHT.g + KEY_LIGHT.b <= 0.0) return 1.0;
   vec3 from = point + normal * LIFT - shadowCentre;
   vec3 at = vec3(dot(from, shadowSide), dot(from, shadowUp), dot(from, KEY)); // metres
-  if (max(abs(at.x), abs(at.y)) > ${(0.97 * REACH).toFixed(4)}) return 1.0;
+  if (max(abs(at.x), abs(at.y)) > ${(0.97 * REACH).toFixed(4)} || at.z < ${(-DEPTH / 2).toFixed(4)}) return 1.0;
   float facing = dot(normal, KEY);
   float grazing = 1.0 - smoothstep(0.0, 0.45, facing); // there light that went through the skin blurs all edges
   // A surface that turns away is in its own shade already: only what stands further off counts

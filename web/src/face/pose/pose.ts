@@ -1,7 +1,10 @@
 /** A pose: what a stage draws of a state. */
 
 import { FIRST_LIGHT } from "../../link/constants";
-import type { CharacterState, State } from "../../link/messages";
+import type { CharacterState, FigureState, State } from "../../link/messages";
+
+/** What a figure does and wears: mixes of poses, of regions that go their own way, and of bodies ("": the faces' own). */
+export type FigureMix = Pick<FigureState, "poses" | "regions" | "bodies">;
 
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
 export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "added" | "head" | "eyes"> &
@@ -10,6 +13,8 @@ export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "c
     readonly complexion?: readonly number[] | undefined;
     /** How much of the skin's folds shows; all without it. */
     readonly folds?: number | undefined;
+    /** What its figure does; without it, it stands with the bodies of its faces. */
+    readonly figure?: FigureMix | null | undefined;
   };
 
 type Weights = Record<string, number>;
@@ -27,8 +32,12 @@ export const poseKey = ({
   light,
   complexion,
   folds,
+  figure,
 }: Pose): string =>
-  JSON.stringify([faces, expressions, regions, channels, added, head, eyes, light, complexion, folds]);
+  JSON.stringify([
+    ...[faces, expressions, regions, channels, added, head, eyes, light, complexion, folds],
+    figure && [figure.poses, figure.regions, figure.bodies],
+  ]);
 
 /** The pose at rest: one face, neutral. */
 export const restPose = (face: string, expression = "neutral"): Pose => ({
@@ -75,6 +84,22 @@ function mixFolds(from: Pose["folds"], to: Pose["folds"], part: number): Pose["f
   return from === undefined && to === undefined ? undefined : (from ?? 1) + ((to ?? 1) - (from ?? 1)) * part;
 }
 
+/** What a figure does that nobody has told anything. */
+export const STANDING: FigureMix = { poses: { stand: 1 }, regions: {}, bodies: { "": 1 } };
+
+function mixFigures(from: Pose["figure"], to: Pose["figure"], part: number): Pose["figure"] {
+  if (!from && !to) return to;
+  const [before, after] = [from ?? STANDING, to ?? STANDING];
+  const regions: FigureMix["regions"] = {};
+  for (const region of Object.keys({ ...before.regions, ...after.regions }) as (keyof FigureMix["regions"])[])
+    regions[region] = mixWeights(before.regions[region] ?? before.poses, after.regions[region] ?? after.poses, part);
+  return {
+    poses: mixWeights(before.poses, after.poses, part),
+    regions,
+    bodies: mixWeights(before.bodies, after.bodies, part),
+  };
+}
+
 /** The pose part of the way (0..1) from `from` to `to`; sums of weights stay what they are. */
 export function mixPoses(from: Pose, to: Pose, part: number): Pose {
   return {
@@ -88,6 +113,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     light: mixWeights(from.light, to.light, part),
     complexion: mixComplexion(from.complexion, to.complexion, part),
     folds: mixFolds(from.folds, to.folds, part),
+    figure: mixFigures(from.figure, to.figure, part),
   };
 }
 

@@ -22,6 +22,8 @@ export interface Features {
   readonly shaderBlend: boolean;
   /** Pixels drawn at most; a larger picture is drawn smaller and stretched. */
   readonly pixels: number;
+  /** Heads have bodies. */
+  readonly figure: boolean;
 }
 
 export type Level = (typeof LEVELS)[number];
@@ -36,6 +38,7 @@ const LOWEST: Features = {
   anisotropy: 1,
   shaderBlend: false,
   pixels: 0.5e6,
+  figure: false,
 };
 const LOW: Features = { ...LOWEST, pixelLight: true, hair: 0.6, pixels: 1e6 };
 const MEDIUM: Features = {
@@ -77,13 +80,14 @@ export function featuresOf(level: Level, software: boolean): Features {
   return software ? { ...FEATURES[level], anisotropy: 1, ...DEAR_IN_SOFTWARE[level] } : FEATURES[level];
 }
 
-/** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN. */
+/** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN, FIGURE. */
 export function definesOf(features: Features): Record<string, string> {
   return {
     ...(features.pixelLight ? {} : { FAST: "" }),
     ...(features.shadow > 0 ? { SHADOW: "" } : {}),
     ...(features.detail ? { DETAIL: "" } : {}),
     ...(features.detail && features.anisotropy === 1 ? { SHARPEN: "" } : {}),
+    ...(features.figure ? { FIGURE: "" } : {}),
   };
 }
 

@@ -182,22 +182,20 @@ vec3 lit(Layers layers, Ground at, float open) {
 }
 `;
 
-/**
- * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
- * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
- */
-export const SURFACE = `
+/** The code of a surface whose rows and normals are in these textures. */
+const surfaceOf = (positions: string, normals: string): string => `
 uniform sampler2D roots; // how densely hair grows at each row
+vec3 placeAt(int row) { return texelFetch(${positions}, texelOf(row), 0).xyz; }
+vec3 normalAt(int row) { return texelFetch(${normals}, texelOf(row), 0).xyz; }
 #ifdef CURVED
 in vec3 rows;
 in vec3 shares;
 
-vec3 normalAt(int row) { return texelFetch(normals, texelOf(row), 0).xyz; }
 vec3 besides(vec3 point, vec3 corner, vec3 normal) { return dot(point - corner, normal) * normal; }
 
 vec3 surface(out vec3 normal) {
   ivec3 at = ivec3(rows + 0.5);
-  vec3 a = rowAt(at.x), b = rowAt(at.y), c = rowAt(at.z);
+  vec3 a = placeAt(at.x), b = placeAt(at.y), c = placeAt(at.z);
   vec3 na = normalAt(at.x), nb = normalAt(at.y), nc = normalAt(at.z);
   normal = shares.x * na + shares.y * nb + shares.z * nc;
   vec3 point = shares.x * a + shares.y * b + shares.z * c;
@@ -212,9 +210,23 @@ float grown() {
 float grown() { return texelFetch(roots, texelOf(int(source + 0.5)), 0).r; }
 
 vec3 surface(out vec3 normal) {
-  normal = fetchRow(normals);
-  return fetchRow(positions);
+  int row = int(source + 0.5);
+  normal = normalAt(row);
+  return placeAt(row);
 }
+#endif
+`;
+
+/**
+ * Where a vertex of the skin lies, and which way it faces. CURVED: between three rows, each of which says by its normal
+ * how the skin curves (T. Boubekeur and M. Alexa, "Phong Tessellation", 2008; 0.5 keeps a ball round).
+ */
+export const SURFACE = surfaceOf("positions", "normals");
+
+/** The same of skin that a body carries: its rows are where the figure has them. */
+export const POSED_SURFACE = `
+#ifdef FIGURE${surfaceOf("figurePositions", "figureNormals")}
+#else${SURFACE}
 #endif
 `;
 
@@ -246,7 +258,7 @@ in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair on who wears none, light at the neck
 in float behind; // metres behind the lips
 uniform ivec4 lipRows; // right and left corner, the middle of the upper and of the lower edge
-${SURFACE}
+${POSED_SURFACE}
 #ifdef FAST
 uniform float scalp;
 uniform vec3 hair;
@@ -311,9 +323,18 @@ float openness(float sky) { return smoothstep(0.05, 1.0, shaded(sky)); }
 void main() {
   vec3 normal;
   vec3 here = surface(normal);
+#ifdef FIGURE
+  vec3 point = here; // its bones have turned it
+#ifdef CURVED
+  here = rowAt(int(rows.x + 0.5));
+#else
+  here = fetchRow(positions);
+#endif
+#else
   vec3 point = turned(here, traits.x);
-  float light = traits.w * entering(here);
   normal = turnedNormal(normal, traits.x);
+#endif
+  float light = traits.w * entering(here);
   float open = openness(traits.y);
   float haired = grown();
 #ifdef FAST

@@ -1,0 +1,136 @@
+"""Figures on the stage: what the GPU skins, and what is seen of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page
+from scipy.spatial.transform import Rotation
+
+import omote
+from omote.arrays import Floats, Mask
+from omote.model.body.pose_regions import POSE_REGIONS, region_bones
+from omote.model.cast import Cast
+from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
+from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
+from omote.perform.figures.pose_mix import MixedPose, mix_poses
+from omote.perform.frame import Frame
+from tests.browser.pictures import picture
+from tests.browser.waiting import draw_on_demand, floats, wait_until
+
+pytestmark = pytest.mark.long
+
+TOLERANCE = 5e-5
+"""Metres."""
+FRAMES = 6
+FACES = ("kaori", "heavy", "child", "dog")
+"""A few, so that the smile is worked out once for each."""
+
+
+@pytest.fixture(scope="module")
+def cast() -> Cast:
+    return omote.load_cast()
+
+
+@pytest.fixture
+def stage(open_page: Callable[..., Page]) -> Callable[..., Page]:
+    """Opens a stage that draws what it is to hold."""
+
+    def open_one(query: str, *, width: int = 160, height: int = 240) -> Page:
+        page = open_page(f"/stage{query}", width=width, height=height)
+        wait_until(page, "stage && stage.counters().drawn > 0", "const stage = window.omoteStage")
+        draw_on_demand(page)
+        return page
+
+    return open_one
+
+
+def hold(page: Page, pose: Mapping[str, Any]) -> None:
+    page.evaluate("pose => window.omoteStage.hold(pose)", pose)
+
+
+def drawn_mix(names: list[str], count: int, rng: np.random.Generator) -> dict[str, float]:
+    """Weights of some names, which sum to one."""
+    shares = rng.dirichlet(np.ones(count)).tolist()
+    return dict(zip(rng.permutation(names)[:count].tolist(), shares, strict=True))
+
+
+def bare_rows(cast: Cast) -> Mask:
+    """The rows that no suit spans: those of neither trunk, hips nor toes, and those that follow the head."""
+    assert cast.figures is not None
+    space = cast.figures.space
+    spanned = [name.startswith(("root", "spine", "pelvis", "upperleg01", "toes")) for name in space.skeleton.names]
+    bare = (np.where(np.array(spanned)[space.bones], space.weights, 0.0) == 0.0).all(axis=1)
+    bare[: space.head_rows] = True
+    bare[space.head_rows + space.joined] = True
+    return np.asarray(bare)
+
+
+@pytest.mark.parametrize("level", ["lowest", "medium"])
+def test_figures_equal_the_python_of_bodies_poses_and_skinning(
+    stage: Callable[..., Page], cast: Cast, level: str
+) -> None:
+    """Mixes of faces, bodies and poses, regions that go their own way, an expression and a turned head."""
+    page = stage(f"?quality={level}&shot=full")
+    rng = np.random.default_rng(34)
+    bare = bare_rows(cast)
+    assert bare.mean() > 0.6
+    for _ in range(FRAMES):
+        faces = drawn_mix(list(FACES), 2, rng)
+        own = rng.uniform()
+        bodies = {FACES_OWN: own} | {
+            name: (1.0 - own) * share for name, share in drawn_mix(list(cast.bodies), 2, rng).items()
+        }
+        poses = drawn_mix(list(cast.poses), 3, rng)
+        regions = {region: drawn_mix(list(cast.poses), 2, rng) for region in rng.permutation(POSE_REGIONS)[:2].tolist()}
+        head = rng.uniform(-0.6, 0.6, 3).tolist()
+        expressions = {"smile": 0.5, "neutral": 0.5}
+        figure: Mapping[str, Any] = {"poses": poses, "regions": regions, "bodies": bodies}
+        hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure})
+        drawn = floats(page, "window.omoteStage.readFigure()").reshape(-1, 3)
+        wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, figure, head), axis=1)
+        assert wrong[bare].max() < TOLERANCE, (figure, wrong.argmax())
+
+
+def expected(
+    cast: Cast,
+    faces: dict[str, float],
+    expressions: dict[str, float],
+    figure: Mapping[str, Any],
+    head: list[float],
+) -> Floats:
+    """The rows of a figure as Python has them. head: yaw, pitch and roll, radians."""
+    assert cast.figures is not None
+    figures = cast.figures
+    skeleton = figures.space.skeleton
+    seen, still = (
+        omote.evaluate(cast, Frame(faces, worn)).astype(np.float64) for worn in (expressions, {"neutral": 1.0})
+    )
+    resting = resting_figure(figures, mixed_bodies(figure["bodies"], faces, figures.bodies), seen, still)
+    mixed = mix_poses(figures.poses, figure["poses"], figure["regions"], region_bones(skeleton))
+    yaw, pitch, roll = head
+    turn = Rotation.from_euler("YXZ", [yaw, -pitch, -roll]).as_rotvec()
+    pose = MixedPose(turn_head(skeleton, mixed.turns, turn), mixed.travel, mixed.feet, mixed.feet_turns)
+    return skin_figure(figures.space, resting, pose_figure(figures.space, resting, pose))
+
+
+def test_a_figure_stands_in_the_picture_and_moves_as_it_is_told(stage: Callable[..., Page]) -> None:
+    """From its hair to its soles; an arm that waves is beside the head; a head alone is what it was."""
+    page = stage("?quality=medium&shot=full&background=green", width=180, height=320)
+
+    def figure_columns(pose: str) -> Mask:
+        hold(page, {"faces": {"kaori": 1.0}, "figure": {"poses": {pose: 1.0}, "regions": {}, "bodies": {"": 1.0}}})
+        seen = picture(page)[..., :3].astype(int)
+        return np.asarray(np.abs(seen - seen[0, 0]).max(axis=2) > 40)
+
+    standing, waving = figure_columns("stand"), figure_columns("wave")
+    rows = np.flatnonzero(standing.any(axis=1))
+    assert rows[0] < 25
+    assert 295 < rows[-1] < 320
+    columns = standing.any(axis=0)
+    assert 0.15 < columns.mean() < 0.6
+    assert abs(np.flatnonzero(columns).mean() - 89.5) < 6.0
+    assert waving[:100].sum() > standing[:100].sum() + 150

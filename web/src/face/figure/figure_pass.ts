@@ -1,0 +1,210 @@
+/** Hangs bodies below heads on the GPU, and skins both: positions and normals of whole figures. */
+
+import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
+import { fanSpans, fans } from "../anatomy/topology";
+import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
+import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
+import { BONE_TEXELS, edgeFragment, figureFragment, MOST_BODIES } from "./figure_shaders";
+import type { SharedFigures } from "./shared_figures";
+import { suitFor } from "./suit";
+
+/** Where one figure is drawn to; everything that is drawn of it reads positions and normals. */
+export interface FigureTarget {
+  readonly positions: WebGLTexture;
+  readonly normals: WebGLTexture;
+  readonly positionFrame: WebGLFramebuffer;
+  readonly normalFrame: WebGLFramebuffer;
+  readonly bones: WebGLTexture;
+  readonly bodyEdge: WebGLTexture;
+}
+
+/** What one figure is: its bones (`BONE_TEXELS` a bone), bodies by layer and weight, and the mix of their edges (e, 4). */
+export interface FigureJob {
+  readonly bones: Float32Array;
+  readonly bodies: readonly (readonly [layer: number, weight: number])[];
+  readonly bodyEdge: Float32Array;
+  /** The head as it is blended. */
+  readonly head: WebGLTexture;
+  readonly target: FigureTarget;
+}
+
+const CORNER_WIDTH = 512;
+
+/** The passes of all figures of a graphics context, and the bodies that they mix, which lie in an array of their own. */
+export class FigurePass {
+  private readonly space: FigureSpace;
+  private readonly height: number;
+  private readonly rows: number;
+  private readonly programs: Record<"edge" | "figure" | "normal", WebGLProgram>;
+  private readonly shared: Record<"rows" | "join" | "edgeRows" | "ranges" | "corners", WebGLTexture>;
+  private readonly off: WebGLTexture;
+  private readonly offFrame: WebGLFramebuffer;
+  private readonly bodies: WebGLTexture;
+  private readonly layers = new Map<string, number>();
+  private readonly dressed: (body: Body) => Float32Array;
+  private readonly empty: WebGLVertexArrayObject;
+  private readonly mixed = new Float32Array(2 * MOST_BODIES);
+
+  /** `skin`: the triangles of the head's skin, as rows. */
+  constructor(
+    private readonly gl: WebGL2RenderingContext,
+    { space, first, bodies }: SharedFigures,
+    skin: Uint32Array,
+  ) {
+    this.space = space;
+    const { headRows, bodyRows, edge, rim, triangles } = space;
+    this.rows = headRows + bodyRows;
+    this.dressed = suitFor(space, first);
+    this.height = Math.ceil(this.rows / ROW_WIDTH);
+    this.programs = {
+      edge: createProgram(gl, PASS_VERTEX, edgeFragment(edge.length, rim)),
+      figure: createProgram(gl, PASS_VERTEX, figureFragment({ head: headRows, body: bodyRows, edge: edge.length })),
+      normal: createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT),
+    };
+    const around = fans([skin, triangles], this.rows);
+    const edges = new Uint32Array(2 * edge.length);
+    for (let place = 0; place < edge.length; place++) edges[2 * place] = edge[place] as number;
+    this.shared = {
+      rows: wholeTexture(gl, packedRows(space), 2 * ROW_WIDTH),
+      join: floatTexture(gl, space.join, 1, edge.length),
+      edgeRows: dataTexture(gl, edges, edge.length),
+      ranges: dataTexture(gl, fanSpans(around), ROW_WIDTH),
+      corners: dataTexture(gl, around.pairs, CORNER_WIDTH),
+    };
+    [this.off, this.offFrame] = targetTexture(gl, edge.length + 1, 1);
+    this.bodies = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA32F, ROW_WIDTH, this.bodyLines, bodies.size);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    this.empty = gl.createVertexArray();
+  }
+
+  /** A target for one more figure. */
+  createTarget(): FigureTarget {
+    const { gl, height, space } = this;
+    const [positions, positionFrame] = targetTexture(gl, ROW_WIDTH, height);
+    const [normals, normalFrame] = targetTexture(gl, ROW_WIDTH, height);
+    const bones = floatTexture(gl, new Float32Array(), 4, BONE_TEXELS * space.bones.length);
+    const bodyEdge = floatTexture(gl, new Float32Array(), 4, space.edge.length);
+    return { positions, normals, positionFrame, normalFrame, bones, bodyEdge };
+  }
+
+  /** Frees the target of a figure that is gone. */
+  drop({ positions, normals, positionFrame, normalFrame, bones, bodyEdge }: FigureTarget): void {
+    for (const texture of [positions, normals, bones, bodyEdge]) this.gl.deleteTexture(texture);
+    for (const frame of [positionFrame, normalFrame]) this.gl.deleteFramebuffer(frame);
+  }
+
+  /** The layer of a body, which is uploaded in its suit when it is asked for first. */
+  layerOf(name: string, body: Body): number {
+    const layer = this.layers.get(name);
+    if (layer !== undefined) return layer;
+    const positions = this.dressed(body);
+    const next = this.layers.size;
+    const texels = new Float32Array(4 * ROW_WIDTH * this.bodyLines);
+    for (let row = 0; 3 * row < positions.length; row++) texels.set(positions.subarray(3 * row, 3 * row + 3), 4 * row);
+    const { gl } = this;
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
+    gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, next, ROW_WIDTH, this.bodyLines, 1, gl.RGBA, gl.FLOAT, texels);
+    this.layers.set(name, next);
+    return next;
+  }
+
+  /** Draws figures, when their heads are blended. */
+  draw(jobs: readonly FigureJob[]): void {
+    const { gl } = this;
+    for (const state of [gl.BLEND, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.disable(state);
+    gl.colorMask(true, true, true, true);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.bindVertexArray(this.empty);
+    for (const job of jobs) this.drawFigure(job);
+    gl.bindVertexArray(null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  /** The rows of a figure, (V + B, 3) metres, read back from the GPU (slow: for tests). */
+  readPositions({ positionFrame }: FigureTarget): Float32Array {
+    const { gl, height, rows } = this;
+    const texels = new Float32Array(4 * ROW_WIDTH * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, positionFrame);
+    gl.readPixels(0, 0, ROW_WIDTH, height, gl.RGBA, gl.FLOAT, texels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return Float32Array.from({ length: 3 * rows }, (_, at) => texels[4 * Math.floor(at / 3) + (at % 3)] as number);
+  }
+
+  dispose(): void {
+    const { gl } = this;
+    for (const program of Object.values(this.programs)) gl.deleteProgram(program);
+    for (const texture of [...Object.values(this.shared), this.off, this.bodies]) gl.deleteTexture(texture);
+    gl.deleteFramebuffer(this.offFrame);
+    gl.deleteVertexArray(this.empty);
+  }
+
+  private get bodyLines(): number {
+    return Math.ceil(this.space.bodyRows / ROW_WIDTH);
+  }
+
+  private drawFigure({ bones, bodies, bodyEdge, head, target }: FigureJob): void {
+    const { gl, space, programs, shared, off, height } = this;
+    const edges = space.edge.length;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, target.bones);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, BONE_TEXELS * space.bones.length, 1, gl.RGBA, gl.FLOAT, bones);
+    gl.bindTexture(gl.TEXTURE_2D, target.bodyEdge);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, edges, 1, gl.RGBA, gl.FLOAT, bodyEdge);
+    const { edgeRows, rows, join, ranges, corners } = shared;
+    this.pass(programs.edge, this.offFrame, [edges + 1, 1], { head, edgeRows, bodyEdge: target.bodyEdge });
+    gl.useProgram(programs.figure);
+    bodies.slice(0, MOST_BODIES).forEach((pair, place) => {
+      this.mixed.set(pair, 2 * place);
+    });
+    gl.uniform2fv(uniformAt(gl, programs.figure, "mixed"), this.mixed);
+    gl.uniform1i(uniformAt(gl, programs.figure, "count"), Math.min(bodies.length, MOST_BODIES));
+    gl.activeTexture(gl.TEXTURE5);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
+    gl.uniform1i(uniformAt(gl, programs.figure, "bodies"), 5);
+    const whole = [ROW_WIDTH, height] as const;
+    this.pass(programs.figure, target.positionFrame, whole, { head, rows, join, off, bones: target.bones });
+    this.pass(programs.normal, target.normalFrame, whole, { positions: target.positions, ranges, corners });
+  }
+
+  private pass(
+    program: WebGLProgram,
+    frame: WebGLFramebuffer,
+    [width, height]: readonly [number, number],
+    textures: Readonly<Record<string, WebGLTexture>>,
+  ): void {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.viewport(0, 0, width, height);
+    gl.useProgram(program);
+    Object.entries(textures).forEach(([name, texture], unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(uniformAt(gl, program, name), unit);
+    });
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+}
+
+/** Eight numbers a row: its bones (bytes), its weights (pairs), its share, and its place among the joined, from 1. */
+function packedRows({ rowBones, rowWeights, shares, joined, headRows }: FigureSpace): Uint32Array {
+  const rows = shares.length;
+  const packed = new Uint32Array(8 * rows);
+  for (let row = 0; row < rows; row++) {
+    for (let place = 0; place < ROW_BONES; place++) {
+      const from = ROW_BONES * row + place;
+      packed[8 * row + (place >> 2)] =
+        ((packed[8 * row + (place >> 2)] as number) | ((rowBones[from] as number) << (8 * (place & 3)))) >>> 0;
+      const pair = 8 * row + 2 + (place >> 1);
+      packed[pair] = ((packed[pair] as number) | ((rowWeights[from] as number) << (16 * (place & 1)))) >>> 0;
+    }
+    packed[8 * row + 6] = shares[row] as number;
+  }
+  joined.forEach((row, place) => {
+    packed[8 * (headRows + row) + 7] = place + 1;
+  });
+  return packed;
+}

@@ -1,0 +1,117 @@
+/** Reads figures: what all bodies share, each body, and the poses. */
+
+import { aligned } from "./arrays";
+import type { BodyAsset, FigureAsset, PoseDocument } from "./messages";
+
+/** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body. */
+export interface FigureSpace {
+  /** Names of the bones; a parent stands before its children, -1 before the first. */
+  readonly bones: readonly string[];
+  readonly parents: Int32Array;
+  readonly headRows: number;
+  readonly bodyRows: number;
+  /** (V + B, 8): the bones that move a row, and how much each, of 65535, which they sum to. */
+  readonly rowBones: Uint8Array;
+  readonly rowWeights: Uint16Array;
+  /** (V + B,): how much of a row's move dual quaternions make, 255 is all. */
+  readonly shares: Uint8Array;
+  /** Of the body, as rows. */
+  readonly triangles: Uint32Array;
+  /** Rows of the head at which it meets the body, the first `rim` of them the rim. */
+  readonly edge: Uint32Array;
+  readonly rim: number;
+  /** Rows of the body (0 is its first) that follow the head's edge, and by which shares (joined, edge). */
+  readonly joined: Uint32Array;
+  readonly join: Float32Array;
+  /** Rows whose mean, moved by an offset in metres, is the joint that the head turns on. */
+  readonly headJoint: Uint32Array;
+  readonly headJointOffset: readonly [number, number, number];
+}
+
+/** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3). */
+export interface Body {
+  readonly positions: Float32Array;
+  readonly edge: Float32Array;
+  readonly joints: Float32Array;
+  readonly ends: Float32Array;
+}
+
+/** A pose (`model.body.pose`): rotation vectors (bones, 3), radians; hips and feet (2, 3), leg lengths. */
+export interface FigurePose {
+  readonly turns: Float32Array;
+  readonly travel: Float32Array;
+  readonly feet: Float32Array;
+  readonly feetTurns: Float32Array;
+}
+
+/** Bones that move one row. */
+export const ROW_BONES = 8;
+
+/** What all bodies share as typed arrays; an Error when it does not fit a head of `skin` rows, or itself. */
+export function readFigureSpace(asset: FigureAsset, skin: number): FigureSpace {
+  const rowBones = new Uint8Array(aligned(asset.row_bones));
+  const rows = rowBones.length / ROW_BONES;
+  const edge = new Uint32Array(aligned(asset.edge));
+  const joined = new Uint32Array(aligned(asset.joined));
+  const space: FigureSpace = {
+    bones: asset.bones,
+    parents: new Int32Array(aligned(asset.parents)),
+    headRows: asset.head_rows,
+    bodyRows: rows - asset.head_rows,
+    rowBones,
+    rowWeights: summedUp(new Uint16Array(aligned(asset.row_weights))),
+    shares: new Uint8Array(aligned(asset.shares)),
+    triangles: new Uint32Array(aligned(asset.triangles)),
+    edge,
+    rim: asset.rim,
+    joined,
+    join: new Float32Array(aligned(asset.join)),
+    headJoint: new Uint32Array(aligned(asset.head_joint)),
+    headJointOffset: asset.head_joint_offset,
+  };
+  const fits =
+    asset.head_rows === skin &&
+    space.rowWeights.length === rowBones.length &&
+    space.shares.length === rows &&
+    space.parents.length === asset.bones.length &&
+    space.join.length === joined.length * edge.length &&
+    space.triangles.every((row) => row < rows) &&
+    rowBones.every((bone) => bone < asset.bones.length) &&
+    [edge, space.headJoint].every((named) => named.every((row) => row < skin)) &&
+    joined.every((row) => row < space.bodyRows);
+  if (!fits) throw new Error(`The figures of ${rows} rows do not fit a head of ${skin}; bake the cast again.`);
+  return space;
+}
+
+/** Weights that sum to 65535 row by row: rounding is the first bone's, which weighs most. */
+function summedUp(weights: Uint16Array): Uint16Array {
+  for (let first = 0; first < weights.length; first += ROW_BONES) {
+    const sum = weights.subarray(first, first + ROW_BONES).reduce((whole, weight) => whole + weight, 0);
+    weights[first] = (weights[first] as number) + 65535 - sum;
+  }
+  return weights;
+}
+
+/** A body as typed arrays; an Error when it does not fit the space. */
+export function readBody(asset: BodyAsset, space: FigureSpace): Body {
+  const [positions, edge, joints, ends] = [asset.positions, asset.edge, asset.joints, asset.ends].map(
+    (bytes) => new Float32Array(aligned(bytes)),
+  ) as [Float32Array, Float32Array, Float32Array, Float32Array];
+  const bones = 3 * space.bones.length;
+  if (
+    positions.length !== 3 * space.bodyRows ||
+    edge.length !== 3 * space.edge.length ||
+    joints.length !== bones ||
+    ends.length !== bones
+  )
+    throw new Error(`A body of ${positions.length / 3} rows does not fit figures of ${space.bodyRows}.`);
+  return { positions, edge, joints, ends };
+}
+
+/** A pose as typed arrays. */
+export const readFigurePose = (pose: PoseDocument): FigurePose => ({
+  turns: new Float32Array(aligned(pose.turns)),
+  travel: Float32Array.from(pose.travel),
+  feet: new Float32Array(aligned(pose.feet)),
+  feetTurns: new Float32Array(aligned(pose.feet_turns)),
+});
