@@ -6,7 +6,6 @@ import { HEARD_MS, MEANT_MS } from "./unheard_panic";
 
 const CALM: CharacterState = {
   faces: { generic: 1 },
-  figure: null,
   expressions: { neutral: 1 },
   channels: {},
   head: [0, 0, 0],
