@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from omote.builtin import load_figures
+from omote.show.cast_documents import BodyAsset, FigureAsset
 from omote.stage_data.figure_documents import figure_documents
 
 
@@ -12,6 +13,7 @@ def test_pages_read_the_figures_that_the_engine_has() -> None:
     figures = load_figures()
     packed = figure_documents(figures)
     shared = packed.assets[packed.document.url]
+    assert isinstance(shared, FigureAsset)
     space = figures.space
     rows = len(space.bones)
     np.testing.assert_array_equal(np.frombuffer(shared.row_bones, np.uint8).reshape(rows, -1), space.bones)
@@ -20,12 +22,13 @@ def test_pages_read_the_figures_that_the_engine_has() -> None:
     assert tuple(shared.bones) == space.skeleton.names
     for document in packed.document.bodies:
         asset = packed.assets[document.url]
+        assert isinstance(asset, BodyAsset)
         body = figures.bodies[document.name]
         for what in ("positions", "edge", "joints", "ends"):
             read = np.frombuffer(getattr(asset, what), "<f4").reshape(-1, 3)
             np.testing.assert_array_equal(read, getattr(body, what))
-    for document in packed.document.poses:
-        pose = figures.poses[document.name]
-        np.testing.assert_allclose(np.frombuffer(document.turns, "<f4").reshape(-1, 3), pose.turns, atol=1e-6)
-        np.testing.assert_allclose(np.frombuffer(document.feet, "<f4").reshape(-1, 3), pose.feet, atol=1e-6)
-        np.testing.assert_allclose(document.travel, pose.travel)
+    for told in packed.document.poses:
+        pose = figures.poses[told.name]
+        np.testing.assert_allclose(np.frombuffer(told.turns, "<f4").reshape(-1, 3), pose.turns, atol=1e-6)
+        np.testing.assert_allclose(np.frombuffer(told.feet, "<f4").reshape(-1, 3), pose.feet, atol=1e-6)
+        np.testing.assert_allclose(told.travel, pose.travel)

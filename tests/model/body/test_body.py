@@ -7,7 +7,7 @@ import pytest
 
 from omote.model.body.body import Body
 
-AT = np.zeros((2, 3))
+AT = np.zeros((2, 3), np.float32)
 
 
 def test_what_is_no_body_is_rejected_and_one_is_frozen() -> None:

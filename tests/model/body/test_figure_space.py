@@ -23,7 +23,7 @@ def mixed(values: list[float], what: str) -> np.ndarray:
     each = [
         CAST.faces[name].positions if what == "face" else getattr(FIGURES.bodies[name], what) for name in CAST.faces
     ]
-    return np.einsum("i,ijk->jk", shares, np.stack(each).astype(np.float64))
+    return np.asarray(np.einsum("i,ijk->jk", shares, np.stack(each).astype(np.float64)))
 
 
 def figure_of(faces: list[float], bodies: list[float]) -> np.ndarray:

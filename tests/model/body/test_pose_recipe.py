@@ -24,7 +24,7 @@ ACROSS = np.array([-1.0, 1.0, 1.0])
 
 @given(arms, arms, legs, legs, turns)
 def test_a_recipe_with_its_sides_changed_is_the_mirror_image(
-    one: Arm, two: Arm, first: Leg, second: Leg, bend: tuple
+    one: Arm, two: Arm, first: Leg, second: Leg, bend: tuple[float, float, float]
 ) -> None:
     forward, left, lean = bend
     recipe = PoseRecipe("one", trunk=bend, left=one, right=two, left_leg=first, right_leg=second)

@@ -95,8 +95,15 @@ def shown(frame: SceneFrame) -> object:
     one = frame.characters["one"]
     played = (one.frame.faces, one.frame.expressions, one.frame.regions, one.frame.head, one.frame.gaze)
     figure = one.frame.figure or figure_frame(FigureAxes())
-    played += (figure.poses, figure.regions, figure.bodies)
-    return played, one.place, one.presence, frame.light, frame.framing, frame.black
+    return (
+        played,
+        (figure.poses, figure.regions, figure.bodies),
+        one.place,
+        one.presence,
+        frame.light,
+        frame.framing,
+        frame.black,
+    )
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -12,7 +12,7 @@ from omote.builtin import load_figures
 from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import region_bones
 from omote.model.body.skeleton import SIDES
-from omote.perform.figures.figure import HEAD_SHARES, pose_figure, resting_figure, skin_figure, turn_head
+from omote.perform.figures.figure import HEAD_SHARES, RestingFigure, pose_figure, resting_figure, skin_figure, turn_head
 from omote.perform.figures.pose_mix import mix_poses
 
 FIGURES = load_figures()
@@ -25,7 +25,7 @@ mixes = st.dictionaries(st.sampled_from(POSES), st.floats(0.01, 1.0), min_size=1
 )
 
 
-def resting(face: str, body: str):
+def resting(face: str, body: str) -> RestingFigure:
     return resting_figure(FIGURES, {body: 1.0}, CAST.faces[face].positions.astype(np.float64))
 
 
@@ -33,7 +33,9 @@ RESTING = {body: resting("kaori", body) for body in ("generic", "child", "heavy"
 
 
 @given(mixes, st.sampled_from([*RESTING]))
-def test_ankles_are_where_the_mix_of_poses_puts_them_and_bones_keep_their_lengths(mix: dict, body: str) -> None:
+def test_ankles_are_where_the_mix_of_poses_puts_them_and_bones_keep_their_lengths(
+    mix: dict[str, float], body: str
+) -> None:
     figure = RESTING[body]
     pose = mix_poses(FIGURES.poses, mix, {}, BONES)
     standing = pose_figure(SPACE, figure, mix_poses(FIGURES.poses, {STAND: 1.0}, {}, BONES))

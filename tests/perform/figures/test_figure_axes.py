@@ -16,7 +16,7 @@ CAST = omote.load_cast()
 
 
 @given(st.dictionaries(st.sampled_from([*CAST.faces]), st.floats(0.1, 1.0), min_size=1, max_size=3))
-def test_faces_bring_their_bodies_and_one_called_apart_stays(faces: dict) -> None:
+def test_faces_bring_their_bodies_and_one_called_apart_stays(faces: dict[str, float]) -> None:
     known = FIGURES.bodies
     assert mixed_bodies({FACES_OWN: 1.0}, faces, known) == pytest.approx(faces)
     assert mixed_bodies({"heavy": 1.0}, faces, known) == {"heavy": 1.0}

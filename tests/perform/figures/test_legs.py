@@ -16,7 +16,9 @@ SHIN = float(np.linalg.norm(ANKLE - KNEE))
 
 
 @given(st.tuples(st.floats(-0.6, 0.6), st.floats(-1.2, -0.1), st.floats(-0.6, 0.6)), st.floats(-1.0, 1.0))
-def test_an_ankle_comes_to_its_target_or_as_near_as_the_leg_is_long(at: tuple, aside: float) -> None:
+def test_an_ankle_comes_to_its_target_or_as_near_as_the_leg_is_long(
+    at: tuple[float, float, float], aside: float
+) -> None:
     target = HIP + np.array(at)
     ahead = np.array([np.sin(aside), 0.0, np.cos(aside)])
     thigh, shin, ankle = reach_foot(HIP, KNEE, ANKLE, target, ahead)

@@ -18,7 +18,7 @@ mixes = st.dictionaries(st.sampled_from([*FIGURES.poses]), st.floats(0.01, 1.0),
 
 
 @given(mixes, mixes)
-def test_a_mix_never_leaves_the_box_of_a_joint(one: dict, two: dict) -> None:
+def test_a_mix_never_leaves_the_box_of_a_joint(one: dict[str, float], two: dict[str, float]) -> None:
     mixed = mix_poses(FIGURES.poses, one, {"arm_left": two}, BONES).turns
     for region in POSE_REGIONS:
         names = two if region == "arm_left" else one

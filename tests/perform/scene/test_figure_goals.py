@@ -22,6 +22,8 @@ def test_what_is_called_of_a_part_is_its_goal_and_a_whole_pose_takes_its_regions
 def test_a_pace_holds_what_was_called_with_one() -> None:
     figure = called_figure(None, POSE, {"bow": 1.0}, 1.0, "smooth", 1.0)
     held = repaced_figure(figure, lambda on: repaced(on, 0.0))
+    assert held is not None
+    assert held.pose.call is not None
     assert held.pose.call.pace == 0.0
     assert held.body == figure.body
     assert repaced_figure(None, lambda on: on) is None
