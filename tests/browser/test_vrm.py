@@ -32,10 +32,8 @@ def write_face(file: Path, version: Version) -> Path:
 
 def as_exported(weights: Mapping[str, float]) -> Meshes:
     """Where Omote has the face on air; of `mouthClose` alone teeth are drawn in, as far as an open jaw needs, and what
-    parts the lips for `tongueOut`, or damps by .07 mm a sliver of the dog's lid that `sad` folds, is of the frame, not
-    of a target."""
-    of_frame = [{name: 1.0} for name in ("mouthClose", "tongueOut", "sad")]
-    return blended(FACE, weights) if weights in of_frame else on_air(FACE, weights)
+    parts the lips for `tongueOut` is of the frame, not of a target."""
+    return blended(FACE, weights) if weights in ({"mouthClose": 1.0}, {"tongueOut": 1.0}) else on_air(FACE, weights)
 
 
 @pytest.fixture(scope="module")

@@ -13,14 +13,12 @@ import omote
 from omote import builtin
 from omote.builtin.binding import PARTS
 from omote.geometry.orientation import area_shares, rest_normals
-from omote.interchange.teeth_sheet import COLUMNS, cage_columns
 from omote.model.space.ears import rotations
 from omote.model.space.face import Face
 from omote.model.space.gain import gain_of
 from omote.model.space.skin_sheet import refuse_axis_outside
 from omote.model.transfer.compound import compound_parts
 from omote.model.transfer.fold_repair import find_folds
-from omote.model.transfer.gum_line import GUMS
 from omote.model.transfer.smooth_map import prepare_smooth_map
 from tests.pictures import read_png
 from tools.baking.expressions import (
@@ -331,24 +329,3 @@ def test_closed_eyes_fold_nothing_and_no_lid_lies_over_the_other(face: Face) -> 
             if contact.line.kind == "lids":
                 opening = (contact.target * contact.line.rungs(worn)).sum(axis=1)
                 assert opening.min() > -0.1 * contact.here.max(), name
-
-
-@pytest.mark.parametrize("face", FACES, ids=name_of)
-def test_teeth_at_rest_stay_where_they_are(face: Face) -> None:
-    rest = compound_parts(CAST.space, face, CAST.expressions["neutral"])
-    for name in GUMS:
-        np.testing.assert_array_equal(rest[name], face.parts[name])
-
-
-@pytest.mark.parametrize("name", ["dog", "cat"])
-def test_front_teeth_of_animals_stand_as_near_to_their_lips_as_peoples(name: str) -> None:
-    """They stood 24 and 22 mm behind: a muzzle grows more than what is in it."""
-    lips = CAST.space.welded[next(line.loop for line in CAST.space.lines if line.kind == "lips")]
-
-    def gap(face: Face) -> float:
-        front = face.positions[lips][np.abs(face.positions[lips, 0]) < 0.004, 2].max()
-        columns = cage_columns(CAST.space.parts["teeth_upper"].points, upper=True)
-        assert columns is not None
-        return float(front - face.parts["teeth_upper"][columns[COLUMNS // 2, 2], 2])
-
-    assert 0.006 < gap(CAST.faces[name]) < gap(CAST.faces["kaori"])

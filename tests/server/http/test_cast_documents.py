@@ -89,7 +89,9 @@ def test_names_that_the_cast_has_not_are_refused(documents: CastDocuments, pair:
 
 def test_every_address_of_the_manifest_is_there(documents: CastDocuments) -> None:
     manifest = msgspec.msgpack.decode(asyncio.run(documents.manifest()), type=Manifest)
-    assert {face.url for face in manifest.faces} == set(documents.assets)
+    assert manifest.figures is not None
+    bodies = {body.url for body in manifest.figures.bodies}
+    assert {face.url for face in manifest.faces} | bodies | {manifest.figures.url} == set(documents.assets)
     assert manifest.mask == documents.mask_url
 
 

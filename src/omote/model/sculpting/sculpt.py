@@ -106,8 +106,7 @@ class Sculpt:
     base : mapping of float, by the name of a face
         Faces whose difference from the generic one is added first, by weight.
     teeth : float
-        The scale of teeth and tongue about their foremost point, so that they fit behind the lips and stay as near to
-        them; 0.5 to 1.5.
+        The scale of teeth and tongue about their middle, so that they stay behind the lips; 0.5 to 1.5.
     brushes : tuple of Brush
         Where the skin is smoothed.
     gains : tuple of Gain
@@ -236,8 +235,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
 def _scale_mouth(parts: dict[str, Values], scale: float) -> None:
     mouth = [name for name in MOUTH if name in parts]
     if mouth:
-        every = np.concatenate([parts[name] for name in mouth])
-        middle = [*every[:, :2].mean(axis=0), every[:, 2].max()]
+        middle = np.concatenate([parts[name] for name in mouth]).mean(axis=0)
         for name in mouth:
             parts[name] = middle + scale * (parts[name] - middle)
 

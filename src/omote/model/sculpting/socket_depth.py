@@ -13,8 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Floats, Values
-from omote.geometry import mesh
-from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.socket_skin import SocketLining, find_socket_lining, measure_depth_behind
@@ -43,36 +41,19 @@ def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
     space: the space of the generic head; positions: (V, 3), metres.
     """
     lining = find_socket_lining(space)
-    if lining is None:
+    if lining is None or measure_lining(space, lining, positions).max() <= SHALLOW_METRES:
         return positions
-    result = positions.astype(np.float64)
-    if measure_lining(space, lining, positions).max() > SHALLOW_METRES:
-        _deepen(space, lining, result)
-    _tuck_rims(space, lining, result)
-    return np.asarray(result[space.welded], np.float32) if (result != positions).any() else positions
-
-
-def _deepen(space: ParameterSpace, lining: SocketLining, positions: Values) -> None:
     asked = np.flatnonzero(np.isfinite(lining.least))
     vertices = lining.vertices[asked]
     wanted = SPARE * lining.least[asked]
+    result = positions.astype(np.float64)
     for _ in range(PUSH_ROUNDS):
-        depth, inward = measure_depth_behind(space, lining.skin, vertices, positions)
+        depth, inward = measure_depth_behind(space, lining.skin, vertices, result)
         push = np.maximum(wanted - depth, 0.0)
         if push.max() < EXACT:
             break
-        positions[vertices] += push[:, None] * inward
-
-
-def _tuck_rims(space: ParameterSpace, lining: SocketLining, positions: Values) -> None:
-    """Puts rims of lids that have come through the skin of a lid behind it; out through the eye's opening they may
-    be."""
-    rims = lining.vertices[~lining.hidden]
-    corners = np.ascontiguousarray(positions[space.location_triangles])
-    away, at = nearest_triangles(corners, np.ascontiguousarray(positions[rims]))
-    rows = np.flatnonzero((at < len(space.sheet_triangles)) & (away > SHALLOW_METRES))
-    out = rows[winding_numbers(corners, np.ascontiguousarray(positions[rims[rows]])) < 0.5]
-    positions[rims[out]] -= (away[out] + SHALLOW_METRES)[:, None] * mesh.unit_normals(corners[at[out]])
+        result[vertices] += push[:, None] * inward
+    return np.asarray(result[space.welded], np.float32) if (result != positions).any() else positions
 
 
 def mend_lining(space: ParameterSpace, face: Face, /) -> Face:
