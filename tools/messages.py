@@ -41,6 +41,7 @@ from omote.perform.complexion import RANGES, SKIN_FADERS, SKIN_LIMIT
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
+from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
@@ -219,6 +220,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
+    "FACES_OWN": ("In a mix of bodies: those of the faces on air, by their weights.", FACES_OWN),
     "SHOT_SIZES": ("How much of a figure a picture shows.", typing.get_args(ShotSize)),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
     "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),

@@ -122,7 +122,7 @@ def test_a_figure_stands_in_the_picture_and_moves_as_it_is_told(stage: Callable[
     page = stage("?quality=medium&shot=full&background=green", width=180, height=320)
 
     def figure_columns(pose: str) -> Mask:
-        hold(page, {"faces": {"kaori": 1.0}, "figure": {"poses": {pose: 1.0}, "regions": {}, "bodies": {"": 1.0}}})
+        hold(page, {"faces": {"kaori": 1.0}, "figure": {"poses": {pose: 1.0}, "regions": {}, "bodies": {"own": 1.0}}})
         seen = picture(page)[..., :3].astype(int)
         return np.asarray(np.abs(seen - seen[0, 0]).max(axis=2) > 40)
 

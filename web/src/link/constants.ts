@@ -76,6 +76,8 @@ export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as co
 export const DEFAULT_EASING = "smooth";
 /** The levels of quality, from the cheapest to the best. */
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
+/** In a mix of bodies: those of the faces on air, by their weights. */
+export const FACES_OWN = "own";
 /** How much of a figure a picture shows. */
 export const SHOT_SIZES = ["head", "bust", "half", "full"] as const;
 /** The lowest and the highest weight of a channel. */

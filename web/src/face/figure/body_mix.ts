@@ -1,5 +1,6 @@
 /** The mix of bodies that a figure wears, and its bones below a face, as `perform.figures.figure` has them. */
 
+import { FACES_OWN } from "../../link/constants";
 import type { Body, FigureSpace } from "../../link/figures";
 import { placeJoints, type RestingBones } from "./kinematics";
 import { length, minus, ORIGIN, plus, scaled, type Vector } from "./rotations";
@@ -7,9 +8,6 @@ import { placeOf, SIDES, type Skeleton } from "./skeleton";
 import { standTurns } from "./stand";
 
 type Weights = Readonly<Record<string, number>>;
-
-/** In a mix of bodies: those of the faces on air, by their weights. */
-export const FACES_OWN = "";
 
 /** The mix of bodies by their own names; a face without a body of its name wears the first of `known`. */
 export function mixedBodies(bodies: Weights, faces: Weights, known: readonly string[]): Map<string, number> {

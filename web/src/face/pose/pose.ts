@@ -1,9 +1,9 @@
 /** A pose: what a stage draws of a state. */
 
-import { FIRST_LIGHT } from "../../link/constants";
+import { FACES_OWN, FIRST_LIGHT } from "../../link/constants";
 import type { CharacterState, FigureState, State } from "../../link/messages";
 
-/** What a figure does and wears: mixes of poses, of regions that go their own way, and of bodies ("": the faces' own). */
+/** What a figure does and wears: mixes of poses, of regions that go their own way, and of bodies. */
 export type FigureMix = Pick<FigureState, "poses" | "regions" | "bodies">;
 
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
@@ -85,7 +85,7 @@ function mixFolds(from: Pose["folds"], to: Pose["folds"], part: number): Pose["f
 }
 
 /** What a figure does that nobody has told anything. */
-export const STANDING: FigureMix = { poses: { stand: 1 }, regions: {}, bodies: { "": 1 } };
+export const STANDING: FigureMix = { poses: { stand: 1 }, regions: {}, bodies: { [FACES_OWN]: 1 } };
 
 function mixFigures(from: Pose["figure"], to: Pose["figure"], part: number): Pose["figure"] {
   if (!from && !to) return to;
