@@ -150,13 +150,15 @@ def build_scene(
     *,
     hair: bool = True,
     drawn: bool = False,
+    relief: bool = True,
 ) -> ExportScene:
     """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
     ValueError for a face that is not in the cast, and for reserved names.
 
     context, face: of the cast; hair: whether it comes along; drawn: whether it has a mouth as stages draw it and its
-    neck ends in a collar, in place of the head's own vertices alone.
+    neck ends in a collar, in place of the head's own vertices alone; relief: whether the skin has pores and lines of
+    age as normals, which need tangents.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
@@ -171,7 +173,7 @@ def build_scene(
         worn = mouth.draw(meshes)
         for name in rest:
             targets[name][expression] = _target(rest[name], worn[name], corners[name], upright[name])
-    surfaces = _materials(context, look, mouth)
+    surfaces = _materials(context, look, mouth, relief=relief)
     shapes = [
         _drawn_shape(part.name, mouth.parts[part.name], rest, upright, targets, surfaces)
         if part.name in mouth.parts
@@ -295,13 +297,13 @@ def _uv(context: ExportContext, part: BakedMesh) -> NDArray[np.float32]:
     return part_textures.arch_uv(points, upper=part.name == "teeth_upper")[part.source]
 
 
-def _materials(context: ExportContext, look: Look, mouth: DrawnMouth) -> dict[str, Material]:
+def _materials(context: ExportContext, look: Look, mouth: DrawnMouth, *, relief: bool) -> dict[str, Material]:
     """The material of each mesh."""
     jaw = replace(_textured_material("teeth", part_textures.paint_jaw(look), roughness=0.25), both=True)
     lashes = _lashes(look)
     eye = _textured_material("eye", part_textures.paint_eye(look), roughness=0.15)
     return {
-        SKIN: skin_material(context, look),
+        SKIN: _skin_material(context, look, relief=relief),
         "eye_left": eye,
         "eye_right": eye,
         **{name: jaw if name in mouth.parts else _teeth(name, look) for name in GUMS},
@@ -310,14 +312,14 @@ def _materials(context: ExportContext, look: Look, mouth: DrawnMouth) -> dict[st
     }
 
 
-def skin_material(context: ExportContext, look: Look, /) -> Material:
-    """The skin of a look, with the relief of its pores and lines of age.
+def _skin_material(context: ExportContext, look: Look, *, relief: bool) -> Material:
+    """The skin of a look.
 
-    context: for the skin's layers; look: whose skin.
+    context: for the skin's layers; look: whose skin; relief: whether it has that of its pores and lines of age.
     """
     roughness = 0.62 - 0.3 * look.lacquer + 0.3 * look.fur
     painted = _textured_material(SKIN, paint_skin(context.canvas, look), roughness=roughness)
-    return replace(painted, relief=png_bytes(paint_relief(context.canvas, look)))
+    return replace(painted, relief=png_bytes(paint_relief(context.canvas, look))) if relief else painted
 
 
 def _lashes(look: Look) -> Picture:

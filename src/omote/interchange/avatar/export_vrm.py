@@ -80,7 +80,8 @@ def vrm_bytes(
     fitted = fit(cast.space, cast.faces[face])
     skeleton = build_skeleton(cast.space, fitted)
     ears = find_ear_bones(cast.space, cast.faces[face], skeleton.shift)
-    scene = _stand(build_scene(context, face, worn.items(), hair=hair, drawn=True), skeleton)
+    bare = build_scene(context, face, worn.items(), hair=hair, drawn=True, relief=False)  # VRM takes no tangents
+    scene = _stand(bare, skeleton)
     rest = fitted.positions.astype(np.float64)
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     overlays = build_overlays(context, cast.looks[face], scene.shapes[0], rest, skins)
@@ -99,23 +100,14 @@ def vrm_bytes(
 
 
 def _stand(scene: ExportScene, skeleton: Skeleton) -> ExportScene:
-    """The scene on its feet; each shape keeps the targets that move it, and no relief: it needs tangents, which VRM
-    does not take."""
+    """The scene on its feet; each shape keeps the targets that move it."""
     return replace(scene, shapes=[_placed(shape, skeleton.shift) for shape in scene.shapes], apart=True)
 
 
 def _placed(shape: Shape, shift: Points) -> Shape:
     points = shape.points.astype(np.float64) + shape.place + shift
     targets = {name: target for name, target in shape.targets.items() if target.moves.any()}
-    material = shape.material if shape.material.relief is None else replace(shape.material, relief=None)
-    return replace(
-        shape,
-        points=points.astype(np.float32),
-        place=(0.0, 0.0, 0.0),
-        targets=targets,
-        tangents=None,
-        material=material,
-    )
+    return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets)
 
 
 def _encode(scene: ExportScene, skeleton: Skeleton, ears: Ears, parts: Mapping[str, Json]) -> bytes:
