@@ -386,6 +386,27 @@ def call_regions(
     return {region: call(replace(on, hand=face.hand)) for region, on in regions.items()}
 
 
+def call_part(
+    whole: Axis, regions: Mapping[Region, Axis], region: Region | None, call: Callable[[Axis], Axis]
+) -> tuple[Axis, Mapping[Region, Axis]]:  # fmt: skip
+    """A face or a figure, and its regions, of which all are called, or one region alone.
+
+    whole: its axis; regions: those that go their own way; region: which is called, None for all; call: what calls an
+    axis.
+    """
+    if region is None:
+        return call(whole), call_regions(regions, whole, call)
+    return whole, {**regions, region: call(regions.get(region, whole))}
+
+
+def move_whole(
+    whole: Axis, regions: Mapping[Region, Axis], move: Callable[[Axis], Axis]
+) -> tuple[Axis, Mapping[Region, Axis]]:  # fmt: skip
+    """A face or a figure, and its regions, after its T-bar has moved. whole, regions: as of `call_part`; move: what
+    moves the T-bar of an axis."""
+    return move(whole), move_with_face(regions, whole, move)
+
+
 def move_with_face(
     regions: Mapping[Region, Axis], face: Axis, move: Callable[[Axis], Axis]
 ) -> dict[Region, Axis]:  # fmt: skip

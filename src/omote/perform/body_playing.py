@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from omote.model.body.pose_regions import check_pose_region
 from omote.perform import axis
-from omote.perform.axis import Axis, call_regions, move_with_face
+from omote.perform.axis import Axis, call_part, move_whole
 from omote.perform.called_mix import start_call
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.figures.figure_axes import FACES_OWN, FigureAxes
+from omote.perform.figures.figure_axes import AT_REST, FACES_OWN
 from omote.perform.limits import check_call_seconds, check_within
 from omote.perform.skin_playing import SkinPlaying
 
@@ -57,16 +58,12 @@ class BodyPlaying(SkinPlaying):
         def call(on: Axis) -> Axis:
             return start_call(on, self._cast.poses, name, "pose", seconds, easing)
 
-        figure = self._now.figure or FigureAxes()
-        if region is None:
-            called = replace(
-                figure, pose=call(figure.pose), regions=call_regions(figure.regions, figure.pose, call)
-            )  # fmt: skip
-        else:
-            where = check_pose_region(region)
+        where = None if region is None else check_pose_region(region)
+        if where is not None:
             check_call_seconds(seconds)  # no T-bar moves a region
-            called = replace(figure, regions={**figure.regions, where: call(figure.regions.get(where, figure.pose))})
-        self._play(figure=called)
+        figure = self._now.figure or AT_REST
+        pose, regions = call_part(figure.pose, figure.regions, where, call)
+        self._play(figure=replace(figure, pose=pose, regions=regions))
 
     def fade_pose(self, x: float) -> None:
         """Moves the T-bar of the poses; it takes over the call once it has passed its progress (pick-up).
@@ -92,9 +89,7 @@ class BodyPlaying(SkinPlaying):
         0.5
         """
         hand = check_within(x, 0.0, 1.0, "the pose T-bar")
-        figure = self._now.figure or FigureAxes()
-        regions = move_with_face(figure.regions, figure.pose, lambda on: axis.faded(on, hand))
-        self._play(figure=replace(figure, pose=axis.faded(figure.pose, hand), regions=regions))
+        self._move_pose(lambda on: axis.faded(on, hand))
 
     def release_pose(self) -> None:
         """Lets go of the T-bar of the poses: a timed call goes on from where it is, a call by hand stays.
@@ -107,9 +102,7 @@ class BodyPlaying(SkinPlaying):
         >>> performer.advance(1.0).figure.poses["bow"]
         1.0
         """
-        figure = self._now.figure or FigureAxes()
-        regions = move_with_face(figure.regions, figure.pose, axis.released)
-        self._play(figure=replace(figure, pose=axis.released(figure.pose), regions=regions))
+        self._move_pose(axis.released)
 
     def call_body(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a body on air apart from the face, or gives each face its own again.
@@ -137,7 +130,12 @@ class BodyPlaying(SkinPlaying):
         >>> dict(performer.advance(0.0).figure.bodies)
         {'heavy': 1.0}
         """
-        figure = self._now.figure or FigureAxes()
+        figure = self._now.figure or AT_REST
         check_call_seconds(seconds)  # no T-bar moves it
         names = {FACES_OWN: None, **self._cast.bodies}
         self._play(figure=replace(figure, body=start_call(figure.body, names, name, "body", seconds, easing)))
+
+    def _move_pose(self, move: Callable[[Axis], Axis]) -> None:
+        figure = self._now.figure or AT_REST
+        pose, regions = move_whole(figure.pose, figure.regions, move)
+        self._play(figure=replace(figure, pose=pose, regions=regions))

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from omote.model.known_names import NEUTRAL, check_play_region
 from omote.perform import axis
-from omote.perform.axis import Axis, call_regions, move_with_face
+from omote.perform.axis import Axis, call_part, move_whole
 from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import Gaze, Head, Home, with_fields
@@ -110,12 +110,11 @@ class CalledMix:
         now = self._now
         if goal is not None:
             check_call_seconds(seconds)  # no T-bar moves it
-        if region is None:
-            self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
-            return
-        where = check_play_region(region)
-        check_call_seconds(seconds)  # no T-bar moves a region
-        self._play(regions={**now.regions, where: call(now.regions.get(where, now.expression))})
+        where = None if region is None else check_play_region(region)
+        if where is not None:
+            check_call_seconds(seconds)  # no T-bar moves a region
+        expression, regions = call_part(now.expression, now.regions, where, call)
+        self._play(expression=expression, regions=regions)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a light on air from whatever light shows.
@@ -197,8 +196,8 @@ class CalledMix:
         """
         hand = check_within(x, 0.0, 1.0, "the expression T-bar")
         now = self._now
-        regions = move_with_face(now.regions, now.expression, lambda on: axis.faded(on, hand))
-        self._play(expression=axis.faded(now.expression, hand), regions=regions)
+        expression, regions = move_whole(now.expression, now.regions, lambda on: axis.faded(on, hand))
+        self._play(expression=expression, regions=regions)
 
     def release_face(self) -> None:
         """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays.
@@ -225,8 +224,8 @@ class CalledMix:
         1.0
         """
         now = self._now
-        regions = move_with_face(now.regions, now.expression, axis.released)
-        self._play(expression=axis.released(now.expression), regions=regions)
+        expression, regions = move_whole(now.expression, now.regions, axis.released)
+        self._play(expression=expression, regions=regions)
 
     def set_channel(self, name: str, value: float) -> None:
         """Adds an expression to the mix at once, beside the calls.

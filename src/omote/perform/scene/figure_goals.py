@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from omote.model.body.pose_regions import check_pose_region
-from omote.perform.axis import Axis, call_regions, called_to_mix, goal_of, with_pace
-from omote.perform.figures.figure_axes import FigureAxes
+from omote.perform.axis import Axis, call_part, called_to_mix, goal_of, with_pace
+from omote.perform.figures.figure_axes import AT_REST, FigureAxes
 from omote.perform.scene.goals import BODY, POSE, POSE_PART, WITH_FACE, Goal
 
 
@@ -16,7 +16,7 @@ def figure_goal(figure: FigureAxes | None, name: str, mix: Callable[[Axis], Goal
 
     figure: as it is; name: pose, pose:arm_left and the other regions, or body; mix: what is read of an axis.
     """
-    here = figure or FigureAxes()
+    here = figure or AT_REST
     if name == BODY:
         return dict(mix(here.body))
     if name == POSE:
@@ -30,19 +30,18 @@ def called_figure(
 ) -> FigureAxes:
     """The figure with a part of it called to a goal. figure, name: as of `figure_goal`; goal, seconds, easing and pace:
     as of `Scene.call_goal`."""
-    here = figure or FigureAxes()
+    here = figure or AT_REST
 
     def call(on: Axis) -> Axis:
         return with_pace(called_to_mix(on, goal or goal_of(here.pose), seconds, easing), pace)
 
     if name == BODY:
         return replace(here, body=call(here.body))
-    if name == POSE:
-        return replace(here, pose=call(here.pose), regions=call_regions(here.regions, here.pose, call))
-    region = check_pose_region(name.removeprefix(POSE_PART))
-    if not goal and region not in here.regions:
+    region = None if name == POSE else check_pose_region(name.removeprefix(POSE_PART))
+    if region is not None and not goal and region not in here.regions:
         return here  # it goes with the whole figure already
-    return replace(here, regions={**here.regions, region: call(here.regions.get(region, here.pose))})
+    pose, regions = call_part(here.pose, here.regions, region, call)
+    return replace(here, pose=pose, regions=regions)
 
 
 def repaced_figure(figure: FigureAxes | None, repace: Callable[[Axis], Axis]) -> FigureAxes | None:

@@ -9,7 +9,7 @@ from typing import Protocol
 from omote.model.known_names import PLAY_REGIONS, check_play_region
 from omote.perform.axis import (
     Axis,
-    call_regions,
+    call_part,
     called_to_mix,
     goal_of,
     repaced,
@@ -225,12 +225,11 @@ class SceneCharacter(Performer):
 
         if name == "face":
             self._play(face=call(now.face))
-        elif name == "expression":
-            self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
-        else:
-            region = check_play_region(name)
-            if goal or region in now.regions:  # else it goes with the face already
-                self._play(regions={**now.regions, region: call(now.regions.get(region, now.expression))})
+            return
+        region = None if name == "expression" else check_play_region(name)
+        if region is None or goal or region in now.regions:  # else it goes with the face already
+            expression, regions = call_part(now.expression, now.regions, region, call)
+            self._play(expression=expression, regions=regions)
 
     def _goal_of(self, name: str, mix: Callable[[Axis], Goal], turned: Callable[[str], Mapping[str, float]]) -> Goal:
         now = self._now
