@@ -34,14 +34,21 @@ def pose_bones(skeleton: Skeleton, rest: Points, stand: Values, turns: Values, t
     """
     own = Rotation.from_rotvec(turns).as_matrix()
     frames = np.empty_like(own)
+    for bone, parent in enumerate(skeleton.parents):
+        frames[bone] = own[bone] if parent < 0 else frames[parent] @ own[bone]
+    return place_bones(skeleton, rest, stand, frames, travel)
+
+
+def place_bones(skeleton: Skeleton, rest: Points, stand: Values, frames: Values, travel: Values) -> PosedBones:
+    """The bones of a body whose rotations are known, each at the end of its parent.
+
+    skeleton, rest, stand, travel: as of `pose_bones`; frames (J, 3, 3): the rotation of each bone from the stand.
+    """
+    turns = frames @ stand
     joints = np.empty_like(rest)
-    placed = np.empty_like(own)
     for bone, parent in enumerate(skeleton.parents):
         if parent < 0:
-            frames[bone] = own[bone]
             joints[bone] = rest[bone] + travel
         else:
-            frames[bone] = frames[parent] @ own[bone]
-            joints[bone] = joints[parent] + placed[parent] @ (rest[bone] - rest[parent])
-        placed[bone] = frames[bone] @ stand[bone]
-    return PosedBones(placed, joints, frames)
+            joints[bone] = joints[parent] + turns[parent] @ (rest[bone] - rest[parent])
+    return PosedBones(turns, joints, frames)

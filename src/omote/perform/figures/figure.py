@@ -11,7 +11,7 @@ from omote.arrays import Floats, Points, Values
 from omote.geometry.skinning import skin
 from omote.model.body.figure_space import FigureSpace, hang_joints, join_head
 from omote.model.body.figures import Figures
-from omote.model.body.posed_bones import PosedBones, pose_bones
+from omote.model.body.posed_bones import PosedBones, place_bones, pose_bones
 from omote.model.body.skeleton import LEG, SIDES, Skeleton
 from omote.model.body.stand import stand_turns
 from omote.perform.figures.legs import reach_foot
@@ -30,11 +30,12 @@ AHEAD = np.array([0.0, 0.0, 1.0])
 @dataclass(frozen=True, eq=False)
 class RestingFigure:
     """A figure before it is posed. rows (V + B, 3): head and body; joints (J, 3); stand (J, 3, 3): rotations to the
-    stand; leg: its length; metres."""
+    stand; ankles (2, 3): where they are there; leg: its length; metres."""
 
     rows: Points
     joints: Points
     stand: Values
+    ankles: Points
     leg: float
 
 
@@ -54,7 +55,9 @@ def resting_figure(figures: Figures, bodies: Weights, head: Points, rest: Points
     hung = hang_joints(space, joints, edge, still)
     turns = stand_turns(space.skeleton, hung, ends + (hung[0] - joints[0]))
     rows = np.concatenate([head, join_head(space, body, edge, head)])
-    return RestingFigure(rows, hung, turns, _leg_length(space.skeleton, hung))
+    standing = place_bones(space.skeleton, hung, turns, np.tile(np.eye(3), (len(hung), 1, 1)), np.zeros(3))
+    ankles = standing.joints[[space.skeleton.places[f"foot.{side}"] for side in SIDES]]
+    return RestingFigure(rows, hung, turns, ankles, _leg_length(space.skeleton, hung))
 
 
 def _leg_length(skeleton: Skeleton, joints: Points) -> float:
@@ -84,16 +87,14 @@ def pose_figure(space: FigureSpace, resting: RestingFigure, pose: MixedPose) -> 
     space: of figures; resting: of `resting_figure`; pose: of `mix_poses`.
     """
     skeleton = space.skeleton
-    standing = pose_bones(skeleton, resting.joints, resting.stand, np.zeros_like(pose.turns), np.zeros(3))
-    bones = pose_bones(skeleton, resting.joints, resting.stand, pose.turns, pose.travel * resting.leg)
+    travel = pose.travel * resting.leg
+    bones = pose_bones(skeleton, resting.joints, resting.stand, pose.turns, travel)
     frames = bones.frames.copy()
-    joints = bones.joints.copy()
     for number, side in enumerate(SIDES):
         at = {name: skeleton.places[f"{name}.{side}"] for name in LEG}
-        target = standing.joints[at["foot"]] + pose.feet[number] * resting.leg
-        hip, knee, ankle = (joints[at[name]] for name in ("upperleg01", "lowerleg01", "foot"))
-        ahead = frames[at["upperleg01"]] @ AHEAD
-        thigh, shin, _ = reach_foot(hip, knee, ankle, target, ahead)
+        target = resting.ankles[number] + pose.feet[number] * resting.leg
+        hip, knee, ankle = (bones.joints[at[name]] for name in ("upperleg01", "lowerleg01", "foot"))
+        thigh, shin, _ = reach_foot(hip, knee, ankle, target, frames[at["upperleg01"]] @ AHEAD)
         foot = Rotation.from_rotvec(pose.feet_turns[number]).as_matrix()
         toes = foot @ Rotation.from_rotvec(pose.turns[at["toes"]]).as_matrix()
         for names, turn in ((LEG[1:3], thigh), (LEG[3:5], shin)):
@@ -101,16 +102,7 @@ def pose_figure(space: FigureSpace, resting: RestingFigure, pose: MixedPose) -> 
                 frames[at[name]] = turn @ frames[at[name]]
         frames[at["foot"]] = foot
         frames[at["toes"]] = toes
-    placed = frames @ resting.stand
-    _place_joints(skeleton, resting.joints, placed, joints)
-    return PosedBones(placed, joints, frames)
-
-
-def _place_joints(skeleton: Skeleton, rest: Points, placed: Values, joints: Points) -> None:
-    """Puts each bone at the end of its parent, in place."""
-    for bone, parent in enumerate(skeleton.parents):
-        if parent >= 0:
-            joints[bone] = joints[parent] + placed[parent] @ (rest[bone] - rest[parent])
+    return place_bones(skeleton, resting.joints, resting.stand, frames, travel)
 
 
 def skin_figure(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> Floats:
