@@ -10,12 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tools.baking.heads.basemesh import read_base_mesh, read_target
+from tools.baking.bodies.rig import RIG, WEIGHTS, end_rows
+from tools.baking.heads.basemesh import BaseMesh, read_base_mesh, read_target
 from tools.baking.package import Package
 
 Values = NDArray[np.float64]
-RIG = "mpfb2/rigs/standard/rig.default.json"
-WEIGHTS = "mpfb2/rigs/standard/weights.default.json"
 BASE = "mpfb2/3dobjs/base.obj"
 FINGERS = (1, 2, 3, 4, 5)
 """Of the rig: the thumb, then from the index to the little finger."""
@@ -70,8 +69,7 @@ class RiggedHand:
         points *= METRES
         rig: Mapping[str, Any] = json.loads(package.text(RIG))
         weights: Mapping[str, list[list[float]]] = json.loads(package.text(WEIGHTS))["weights"]
-        cubes = {name: np.unique(quads.corners) for name, quads in base.groups.items()}
-        self.bones = _bones(rig, points, cubes)
+        self.bones = _bones(rig, points, base)
         table = np.zeros((len(points), len(self.bones)))
         for place, bone in enumerate(self.bones):
             for vertex, weight in weights.get(bone.name, ()):
@@ -150,13 +148,12 @@ def _flexion(bone: Bone, pose: HandPose) -> float:
     return float(np.radians(12.0 + 10.0 * shut + (40.0 * curl if curl > 0.0 else 14.0 * curl)))
 
 
-def _bones(rig: Mapping[str, Any], points: Values, cubes: Mapping[str, NDArray[np.int32]]) -> list[Bone]:
+def _bones(rig: Mapping[str, Any], points: Values, base: BaseMesh) -> list[Bone]:
     names = [*FOREARM, "wrist.R", *(f"metacarpal{number}.R" for number in range(1, 5))]
     names += [f"finger{finger}-{joint}.R" for finger in FINGERS for joint in (1, 2, 3)]
 
     def place(end: Mapping[str, Any]) -> Values:
-        rows = cubes[end["cube_name"]] if end["strategy"] == "CUBE" else np.array(end["vertex_indices"])
-        result: Values = points[rows].mean(0)
+        result: Values = points[end_rows(end, base)].mean(0)
         return result
 
     bones = []

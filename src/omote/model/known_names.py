@@ -33,6 +33,7 @@ PLACES: Mapping[str, str] = {
 """Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""
 _MOST_LISTED = 3
 Value = TypeVar("Value")
+Region = TypeVar("Region", bound=str)
 
 
 class UnknownNameError(KeyError):
@@ -81,7 +82,12 @@ def list_near(near: Sequence[str], choices: Iterable[str]) -> str:
 
 def check_play_region(name: str, /) -> PlayRegion:
     """The play region of this name; ValueError where there is none."""
-    for region in PLAY_REGIONS:
+    return check_region(name, PLAY_REGIONS, "to play in")
+
+
+def check_region(name: str, regions: tuple[Region, ...], where: str) -> Region:
+    """The one of some regions that has this name; ValueError where there is none. where: "of a pose"."""
+    for region in regions:
         if region == name:
             return region
-    raise ValueError(f"there is no region {name!r} to play in; expected one of {', '.join(PLAY_REGIONS)}")
+    raise ValueError(f"there is no region {name!r} {where}; expected one of {', '.join(regions)}")

@@ -81,13 +81,14 @@ def read_rig(package: Package, base: BaseMesh) -> Rig:
 def _ends(published: Mapping[str, Any], name: str, base: BaseMesh) -> tuple[Ints, Ints]:
     """The rows where a bone begins and ends; toes begin where all of them do and end where the middle one ends."""
     if not name.startswith("toes."):
-        return _rows(published[name]["head"], base), _rows(published[name]["tail"], base)
+        return end_rows(published[name]["head"], base), end_rows(published[name]["tail"], base)
     side = name[-1]
-    first = [_rows(published[f"toe{toe}-1.{side}"]["head"], base) for toe in range(1, 6)]
-    return np.concatenate(first), _rows(published[f"toe3-3.{side}"]["tail"], base)
+    first = [end_rows(published[f"toe{toe}-1.{side}"]["head"], base) for toe in range(1, 6)]
+    return np.concatenate(first), end_rows(published[f"toe3-3.{side}"]["tail"], base)
 
 
-def _rows(end: Mapping[str, Any], base: BaseMesh) -> Ints:
+def end_rows(end: Mapping[str, Any], base: BaseMesh) -> Ints:
+    """The rows of the base mesh whose mean is where a published bone begins or ends. end: of the rig's file."""
     if end["strategy"] == "CUBE":
         return np.unique(base.groups[end["cube_name"]].corners)
     rows = end["vertex_indices"] if end["strategy"] == "MEAN" else [end["vertex_index"]]

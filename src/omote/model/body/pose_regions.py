@@ -9,6 +9,7 @@ import numpy as np
 
 from omote.arrays import Mask
 from omote.model.body.skeleton import Skeleton
+from omote.model.known_names import check_region
 
 PoseRegion = Literal["head", "trunk", "arm_left", "arm_right", "stance"]
 POSE_REGIONS: tuple[PoseRegion, ...] = get_args(PoseRegion)
@@ -17,10 +18,7 @@ POSE_REGIONS: tuple[PoseRegion, ...] = get_args(PoseRegion)
 
 def check_pose_region(name: str, /) -> PoseRegion:
     """The region of this name; ValueError where there is none."""
-    for region in POSE_REGIONS:
-        if region == name:
-            return region
-    raise ValueError(f"there is no region {name!r} of a pose; expected one of {', '.join(POSE_REGIONS)}")
+    return check_region(name, POSE_REGIONS, "of a pose")
 
 
 def region_of_bone(bone: str) -> PoseRegion:
