@@ -16,6 +16,7 @@ import pytest
 from playwright.sync_api import Browser, CDPSession, Error, Page, expect, sync_playwright
 
 from tests.browser.browser_devices import DEVICES, FAKE_MIDI
+from tests.browser.console_at_rest import bring_to_rest
 from tests.browser.waiting import PATIENCE, wait_until
 from tools.browser import SENTENCE, find_browser
 
@@ -248,7 +249,8 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
 
 @pytest.fixture
 def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
-    """Opens a page of the show at a browser with devices, which it has been allowed to hear before."""
+    """Opens a page of the show at a browser with devices, which it has been allowed to hear before; a console brings
+    the show to rest."""
 
     def open_one(path: str, **options: Any) -> Page:
         page = open_page("/nothing", pictures=False, disposable=True, **options)
@@ -261,6 +263,8 @@ def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
         wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.manifest")
         wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.online")
         assert not blocked
+        if path == "/console":
+            bring_to_rest(page)
         return page
 
     return open_one

@@ -15,35 +15,10 @@ import pytest
 from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
 
 import omote
-from tests.browser.waiting import wait_until
+from tests.browser.console_at_rest import DESK, bring_to_rest, wait_for
 
 OpenPage = Callable[..., Page]
 Console = Callable[..., Page]
-
-DESK = "document.querySelector('omote-console').context.store"
-AT_REST = """
-    state.faces.generic === 1 && state.expressions.neutral === 1 && Object.keys(state.channels).length === 0
-    && [...state.head, ...state.gaze, state.face_fader, state.expression_fader].every((value) => value === 0)
-    && state.face_call === null && state.expression_call === null
-"""
-TO_REST = f"""() => {{
-    const desk = {DESK};
-    if (window.losses === undefined) {{
-        window.losses = 0;
-        desk.listen("link", () => {{ window.losses += desk.online ? 0 : 1; }});
-    }}
-    desk.arrange({{ kind: "performed", tab: "brows", linked: true }});
-    for (const axis of ["face", "expression"]) {{
-        desk.bar(axis).nudge(0);
-        desk.setTiming(axis, {{ seconds: 0 }});
-    }}
-    desk.flush();
-    const before = desk.air.panics;
-    desk.panic();
-    desk.call("face", "generic");
-    return [before, window.losses];
-}}"""
-"""Brings what is on air to rest; how often there was panic before, and how often this page had lost its link."""
 
 TWO_FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 
@@ -64,26 +39,9 @@ def console(open_page: OpenPage) -> Console:
     return open_one
 
 
-def bring_to_rest(page: Page) -> None:
-    """Brings what is on air to rest; again where the link broke meanwhile, for what a page has sent is lost then."""
-    arrived = False
-    while not arrived:
-        before, losses = page.evaluate(TO_REST)
-        heard = f"({AT_REST}) && state.panics > {before}"  # a panic that comes later lets go of what is held
-        wait_for(page, f"desk.online && (({heard}) || window.losses > {losses})")
-        arrived = page.evaluate("losses => window.losses === losses", losses)
-
-
 def state(page: Page) -> dict[str, Any]:
     """The newest state this console has heard, and in it what the character has on air that it plays."""
     return dict(page.evaluate(f"({{...{DESK}.state, ...{DESK}.air}})"))
-
-
-def wait_for(page: Page, condition: str) -> None:
-    """Waits until a condition on `desk` and `state` holds: what is on air, the character's own that is played too."""
-    desk = "const desk = document.querySelector('omote-console')?.context.store"
-    given = f"{desk}; const state = desk?.state ? {{...desk.state, ...desk.air}} : null"
-    wait_until(page, f"desk && ({condition})", given, told="state")
 
 
 def tile(page: Page, name: str) -> Locator:

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
 import omote
+from tests.browser.console_at_rest import DESK, wait_for
 from tests.browser.pictures import picture
-from tests.browser.test_console import DESK, choose, console, region, state, tile, wait_for
+from tests.browser.test_console import choose, console, region, state, tile
 from tests.browser.waiting import draw_on_demand, floats, wait_until
 
 __all__ = ["console"]

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.test_console import DESK, bar, choose, console, fader, region, state, tile, wait_for
+from tests.browser.console_at_rest import DESK, wait_for
+from tests.browser.test_console import bar, choose, console, fader, region, state, tile
 
 __all__ = ["console"]
 

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from playwright.sync_api import Page, expect
 
-from tests.browser.test_console import DESK, choose, console, fader, region, tile, wait_for
+from tests.browser.console_at_rest import DESK, wait_for
+from tests.browser.test_console import choose, console, fader, region, tile
 
 __all__ = ["console"]
 

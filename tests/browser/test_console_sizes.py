@@ -10,7 +10,8 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 import omote
-from tests.browser.test_console import DESK, TWO_FRAMES, bar, console, fader, region, state, tile, wait_for
+from tests.browser.console_at_rest import DESK, wait_for
+from tests.browser.test_console import TWO_FRAMES, bar, console, fader, region, state, tile
 
 __all__ = ["console"]
 

@@ -9,8 +9,9 @@ import numpy as np
 from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.browser_devices import DEVICE_STORE, TURN, connect
+from tests.browser.console_at_rest import DESK, wait_for
 from tests.browser.pictures import picture
-from tests.browser.test_console import DESK, TWO_FRAMES, wait_for
+from tests.browser.test_console import TWO_FRAMES
 from tests.browser.waiting import wait_until
 from tests.inputs.trackers.packets import live_link_face
 

@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from omote.perform.mappings.mapping import MacroMapping
 from tests.browser.browser_devices import TURN, connect
-from tests.browser.test_console import DESK, wait_for
+from tests.browser.console_at_rest import DESK, wait_for
 from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
