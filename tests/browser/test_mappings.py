@@ -95,6 +95,9 @@ def test_a_phone_bends_a_curve_by_keys_and_changes_set_ups_in_one_press(open_pag
     setup = page.locator("[data-setup='left-handed']")
     expect(setup).to_have_attribute("aria-pressed", "true")
 
+    for _ in range(4):
+        page.locator("omote-macro-fader [role=slider]").press("PageUp")
+    wait_until(page, f"{STORE}.state.characters.one.macros.mouth?.value === 1")  # shown at the curve's right edge
     page.locator("[data-add]").click()
     settled(page)
     page.locator(f"{CURVE} [data-knot='1']").press("ArrowDown")

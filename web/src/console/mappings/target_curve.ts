@@ -32,6 +32,8 @@ const style = css`
     display: grid;
     grid-template-rows: minmax(0, 1fr) 14px;
     min-width: 0;
+    overflow: clip; /* the line of the value now is moved by its own width: a page that is as narrow would grow */
+    overflow-clip-margin: 12px; /* as far as knots stick out */
   }
   .plot {
     position: relative;
