@@ -40,7 +40,7 @@ USED: dict[str, str] = {
         "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/figure face/head "
         "face/hair"
     ),
-    "stage": "link ui face/pose face/quality face/light face/figure face",
+    "stage": "link ui face/pose face/quality face/light face",
     "console/store": "link ui",
     "console/controls": "link ui console/store",
     "console/clips": "link ui access console/store console/controls",

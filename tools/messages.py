@@ -57,7 +57,8 @@ from omote.perform.mappings.mapping import (
 )
 from omote.perform.mappings.monotone_curve import MOST_KNOTS, NEAREST_KNOTS
 from omote.perform.pads.blend_space import FEWEST_LOOKS, LEAST_APART, MOST_LOOKS, MOST_PADS, PadLook
-from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
+from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, MOST_CHARACTERS
+from omote.perform.scene.framings import JOINT, SHOT_SIZES, SIZED
 from omote.perform.springs.cast_springs import SPRING_NAMES
 from omote.show import messages
 from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
@@ -65,7 +66,7 @@ from omote.show.access.access_role import ACCESS_ROLES
 from omote.show.declaration import Message
 from omote.show.messages import CLIENT_MESSAGES, LINK_PATH, PROTOCOL_VERSION, SERVER_MESSAGES, STATE_RATE, STRUCTS
 from omote.show.objects.hand.setups import LONGEST_SETUP_NAME
-from omote.show.objects.stages import Level, ShotSize
+from omote.show.objects.stages import Level
 from tools.baking.skin.brows import LINE, REACH
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
@@ -180,6 +181,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
     "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),
     "FRAMING_JOINT": ("Between the names of the characters of a framing.", JOINT),
+    "FRAMING_SIZED": ("Before the size of the shot of a framing.", SIZED),
     "MOST_CHARACTERS": ("Characters that a scene holds at most.", MOST_CHARACTERS),
     "ACCESS_ROLES": ("What people may do: each role all that those before it may.", ACCESS_ROLES),
     "REVOKED_CODE": ("How a link is closed whose token is not valid any more.", REVOKED_CODE),
@@ -221,7 +223,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
     "FACES_OWN": ("In a mix of bodies: those of the faces on air, by their weights.", FACES_OWN),
-    "SHOT_SIZES": ("How much of a figure a picture shows.", typing.get_args(ShotSize)),
+    "SHOT_SIZES": ("How much of figures a shot shows, from heads alone to all.", SHOT_SIZES),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
     "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),
     "GAIN_RANGE": ("The lowest and the highest gain.", (LEAST_GAIN, MOST_GAIN)),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from playwright.sync_api import Page
 from scipy.spatial.transform import Rotation
 
@@ -134,3 +135,27 @@ def test_a_figure_stands_in_the_picture_and_moves_as_it_is_told(stage: Callable[
     assert 0.15 < columns.mean() < 0.6
     assert abs(np.flatnonzero(columns).mean() - 89.5) < 6.0
     assert waving[:100].sum() > standing[:100].sum() + 150
+
+
+def hold_scene(page: Page, framing: Mapping[str, float]) -> NDArray[np.int16]:
+    """The picture of one character in a framing."""
+    character = {
+        "faces": {"kaori": 1.0},
+        "figure": {"poses": {"bow": 0.5, "wave": 0.5}, "regions": {}, "bodies": {"own": 1.0}},
+    }
+    page.evaluate("scene => window.omoteStage.holdScene(scene)", {"characters": {"one": character}, "framing": framing})
+    return picture(page)
+
+
+def test_a_framing_brings_figures_into_a_picture_of_heads_and_takes_them_out(stage: Callable[..., Page]) -> None:
+    """A picture is of what is held alone, drawn once or again, whatever was shown before it."""
+    page = stage("?quality=medium")
+    alone = hold_scene(page, {"*": 1.0})
+    full = hold_scene(page, {"*:full": 1.0})
+    assert np.array_equal(full, hold_scene(page, {"*:full": 1.0}))  # nothing of the figure was to be drawn anew
+    between = hold_scene(page, {"*:full": 0.5, "*": 0.5})
+    assert np.array_equal(alone, hold_scene(page, {"*": 1.0}))
+    assert np.array_equal(full, hold_scene(stage("?quality=medium&shot=full"), {"*": 1.0}))
+
+    sizes = [np.count_nonzero(seen[..., 0] - seen[..., 2] > 40) for seen in (full, between, alone)]
+    assert sizes[0] < sizes[1] < sizes[2], "the face grows as the camera comes nearer"

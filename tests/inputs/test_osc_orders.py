@@ -112,6 +112,7 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
         ("framing", ["*"], CallFraming("c1", [], 1.0, "smooth")),
         ("framing", ["one", 2], CallFraming("c1", ["one"], 2.0, "smooth")),
         ("framing", ["two + one"], CallFraming("c1", ["two", "one"], 1.0, "smooth")),
+        ("shot", ["bust"], CallFraming("c1", None, 1.0, "smooth", "bust")),
         ("panic", [], Panic("*")),
         ("panic", [1], Panic("*")),
         ("lease/light", [], Lease("c1", "*", "light")),
@@ -244,7 +245,7 @@ def test_a_character_is_found_by_its_label(label: str) -> None:
     assert reader.read(OscMessage("/omote/two/panic", ()), "c1") == (Panic("two"),)  # a name wins over a label
     (framing,) = reader.read(OscMessage("/omote/framing", (f"one+{written}",)), "c1")
     assert isinstance(framing, CallFraming)
-    assert sorted(framing.characters) == ["one", "two"]
+    assert sorted(framing.characters or ()) == ["one", "two"]
 
 
 def test_a_reader_fits_its_own_cast_and_characters_alone() -> None:

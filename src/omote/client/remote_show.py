@@ -14,7 +14,8 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.layers.layer_names import check_driven, check_part
 from omote.perform.limits import check_known
 from omote.perform.pads.blend_space import Pad
-from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
+from omote.perform.scene.character_names import ALL, find_character
+from omote.perform.scene.framings import ShotSize, framing_of, names_in
 from omote.show.declaration import CharacterCommand, ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import Panic
@@ -178,13 +179,21 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
         return self.send(SetPad(self.next_id(), pad.name, pad.part, pad.dimensions, list(pad.looks), key))
 
     def call_framing(
-        self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
+        self,
+        characters: Iterable[str] | None = (),
+        *,
+        size: ShotSize | None = None,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
     ) -> Sent:
-        """Brings a shot of these characters on air; nobody: of all that are on the stage. TypeError for a text instead
-        of a list, ValueError for a character that there is not. seconds: of the move; easing: the name of the curve."""
+        """Brings a shot of these characters on air; nobody: of all that are on the stage, None: of whom it holds now.
+        TypeError for a text instead of a list, ValueError for a character that there is not. size: how much of their
+        figures it shows, as much as now where none is given; seconds: of the move; easing: the name of the curve."""
+        if characters is None:
+            return self.send(CallFraming(self.next_id(), None, seconds, easing, size))
         names = characters if isinstance(characters, str) else [self.find_character(name) for name in characters]
         framing = framing_of(names, self.characters)
-        return self.send(CallFraming(self.next_id(), sorted(names_in(framing)), seconds, easing))
+        return self.send(CallFraming(self.next_id(), sorted(names_in(framing)), seconds, easing, size))
 
     def panic(self) -> Sent:
         """All characters go neutral and hold still."""

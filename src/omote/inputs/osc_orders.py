@@ -22,6 +22,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL, find_character
+from omote.perform.scene.framings import check_shot_size
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import check_language
 from omote.perform.springs.cast_springs import check_spring
@@ -33,7 +34,7 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
     "gesture": check_gesture, "language": check_language, "spring": check_spring,
-    "skin": check_skin_fader, "pose_region": check_pose_region,
+    "skin": check_skin_fader, "pose_region": check_pose_region, "shot": check_shot_size,
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""

@@ -16,6 +16,7 @@ from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
+from omote.perform.scene.framings import SHOT_SIZES
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
 from omote.perform.springs.cast_springs import SPRING_NAMES
@@ -148,7 +149,7 @@ def _names(value: Value, names: Names, owner: str = "") -> list[str]:
         return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
-        "spring": SPRING_NAMES, "skin": SKIN_FADERS, "pose_region": POSE_REGIONS,
+        "spring": SPRING_NAMES, "skin": SKIN_FADERS, "pose_region": POSE_REGIONS, "shot": SHOT_SIZES,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:

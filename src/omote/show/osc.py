@@ -17,7 +17,7 @@ Argument = float | int | str | bytes | bool | None
 ValueKind = Literal[
     "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
     "character", "text", "number", "switch", "seconds", "time", "press", "speech", "language", "gesture",
-    "cue", "pad", "macro", "spring", "skin", "pose", "pose_region", "body",
+    "cue", "pad", "macro", "spring", "skin", "pose", "pose_region", "body", "shot",
 ]  # fmt: skip
 
 

@@ -8,7 +8,8 @@ from typing import get_args
 
 from omote.interchange.formats.file_names import Kind
 from omote.perform.lights import find_background
-from omote.show.objects.stages import Level, ShotSize
+from omote.perform.scene.framings import FIGURE_SHOTS
+from omote.show.objects.stages import Level
 
 SMALLEST = 16
 LARGEST = 8192
@@ -74,10 +75,9 @@ class Setting:
     def _refuse_finish(self) -> None:
         if not isinstance(self.hair, bool):
             raise TypeError(f"hair is {self.hair!r}; give True or False")
-        if self.framing not in ("", *get_args(ShotSize)):
+        if self.framing not in ("", *FIGURE_SHOTS):
             raise ValueError(
-                f"there is no framing {self.framing!r}; give one of {', '.join(get_args(ShotSize))}, or none: a head "
-                "alone"
+                f"there is no framing {self.framing!r}; give one of {', '.join(FIGURE_SHOTS)}, or none: a head alone"
             )
         if self.mask not in ("", *MASKS):
             raise ValueError(f"there is no mask {self.mask!r}; give one of {', '.join(MASKS)}")

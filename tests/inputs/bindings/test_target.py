@@ -24,6 +24,7 @@ def test_every_address_is_a_target() -> None:
             "cue",
             "pose",
             "body",
+            "shot",
         } & set(kinds)
         arguments = ["dog"] if named and not numbers else []
         target = read_target(path, arguments, axis)

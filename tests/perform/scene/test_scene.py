@@ -12,6 +12,7 @@ from omote.model.cast import Cast
 from omote.perform.easing import find_easing
 from omote.perform.frame import Frame
 from omote.perform.performer import Performer
+from omote.perform.scene.framings import SHOT_SIZES
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import Place, SceneFrame
 from omote.perform.scene.scene_snapshot import SceneSnapshot
@@ -26,7 +27,7 @@ directions = st.one_of(
     st.tuples(st.just("enter"), st.sampled_from(NAMES), waits),
     st.tuples(st.just("leave"), st.sampled_from(NAMES), waits),
     st.tuples(st.just("remove"), st.just("three"), waits),
-    st.tuples(st.just("framing"), st.sets(st.sampled_from(NAMES[:2])), waits),
+    st.tuples(st.just("framing"), st.sets(st.sampled_from(NAMES[:2])), st.sampled_from([None, *SHOT_SIZES]), waits),
     st.tuples(st.just("light"), st.sampled_from(["theatre", "flat"]), waits),
     st.tuples(st.just("black"), st.floats(0.0, 1.0), waits),
 )
@@ -46,8 +47,8 @@ def direct(scene: Scene, what: tuple[Any, ...]) -> None:
             scene.place(name, x=x, size=2.0, seconds=seconds)
         case ("enter" | "leave" | "remove" as change, name, seconds) if name in scene:
             getattr(scene, change)(name, seconds=seconds)
-        case ("framing", names, seconds):
-            scene.call_framing(names, seconds=seconds)
+        case ("framing", names, size, seconds):
+            scene.call_framing(names or None, size=size, seconds=seconds)
         case ("light", name, seconds):
             scene.call_light(name, seconds=seconds)
         case ("black", black, seconds):

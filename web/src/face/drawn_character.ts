@@ -2,12 +2,22 @@
 
 import * as THREE from "three";
 import type { Library } from "../link/assets";
+import { SHOT_SIZES } from "../link/constants";
+import type { ShotSize } from "../link/framings";
 import type { Anatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import type { Blender, BlendTarget } from "./blend/blender";
 import type { Eyeballs } from "./blend/sum_pass";
 import { Figure, type FigureCall } from "./figure/figure";
-import { FIGURE_BOUNDS, figurePoints, figureShot, groundOf, type ShotSize } from "./figure/figure_framing";
+import {
+  FIGURE_BOUNDS,
+  figurePoints,
+  figureShot,
+  type Ground,
+  groundOf,
+  meanGround,
+  UNMOVED,
+} from "./figure/figure_framing";
 import type { FigureJob, FigurePass } from "./figure/figure_pass";
 import { CONTACTS } from "./figure/floor";
 import type { SharedFigures } from "./figure/shared_figures";
@@ -17,7 +27,7 @@ import { createHairStock, type HairStock } from "./hair/hair_assignment";
 import { FEET } from "./head/collar";
 import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
 import { FaceLooks } from "./head/face_looks";
-import type { HeadUniforms } from "./head/head";
+import { type HeadUniforms, PIVOT } from "./head/head";
 import { type CharacterUniforms, characterUniforms, copyHead, type HeadTemplate } from "./head/head_template";
 import { writeLight } from "./light/light_uniforms";
 import { type Light, lightTurned } from "./light/lights";
@@ -29,7 +39,7 @@ import { type Pose, STANDING, writeTurn } from "./pose/pose";
 import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
-import type { Clearance, PlacedHead } from "./scene_framing";
+import type { Clearance, PlacedHead, PlacedShot, ShotSizes } from "./scene_framing";
 import { writeBlood } from "./skin/blood";
 import { SkinPaint } from "./skin/skin_paint";
 import { SkinPictures } from "./skin/skin_pictures";
@@ -48,9 +58,12 @@ export interface SharedParts {
   readonly hairStock: HairStock;
   readonly residency: AssetResidency;
   readonly pictures: SkinPictures;
-  /** What bodies share, and how much of them is seen; without them heads are drawn alone. */
-  readonly figures?: SharedFigures | undefined;
-  readonly shotSize?: ShotSize | undefined;
+}
+
+/** What figures are drawn with. */
+export interface FigureDrawing {
+  readonly figures: SharedFigures;
+  readonly pass: FigurePass;
 }
 
 /** What the characters of a view share; `upload`: a texture to the GPU. */
@@ -79,7 +92,8 @@ export class DrawnCharacter {
   private readonly hair: Hair;
   private readonly sourceCrossfade: SourceCrossfade;
   private readonly bounds = new THREE.Box3();
-  private readonly figure: Figure | undefined;
+  private figure: Figure | undefined;
+  private ground = UNMOVED;
   private readonly jobs: FigureJob[] = [];
   private uniforms!: CharacterUniforms;
   private target!: BlendTarget;
@@ -117,18 +131,14 @@ export class DrawnCharacter {
     this.hair = new Hair(library, anatomy, parts.hairStock);
     this.sourceCrossfade = new SourceCrossfade(library);
     this.pose = called;
-    this.figure = parts.figures && new Figure(library, parts.figures);
   }
 
   /** Makes its part of the GPU's memory, on a new graphics context too; `common`: the textures that hold for everybody. */
-  build(blender: Blender, common: HeadUniforms, figurePass?: FigurePass): void {
+  build(blender: Blender, common: HeadUniforms, drawing?: FigureDrawing): void {
     this.target = blender.createTarget();
     this.uniforms = characterUniforms(this.target, common);
-    if (this.figure !== undefined && figurePass !== undefined) {
-      const { positions, normals } = this.figure.build(figurePass);
-      this.uniforms.shared.figurePositions.value = new THREE.ExternalTexture(positions);
-      this.uniforms.shared.figureNormals.value = new THREE.ExternalTexture(normals);
-    }
+    if (drawing === undefined) this.standAlone();
+    else this.stand(this.figure ?? this.createFigure(drawing.figures), drawing.pass);
     this.shadow = new Shadow(this.uniforms.shared);
     this.paint = new SkinPaint(this.uniforms.shared);
     this.blended = "";
@@ -149,6 +159,32 @@ export class DrawnCharacter {
     const head = copyHead(template, this.uniforms);
     this.hair.on(head, this.uniforms.shared, features);
     return head;
+  }
+
+  /** A figure of it that is not drawn yet, and fetches what it needs; `stand` puts the head on it. */
+  createFigure(figures: SharedFigures): Figure {
+    const figure = new Figure(this.parts.library, figures);
+    this.wantFigure(figure, namesOf(this.called).faces, this.faces);
+    return figure;
+  }
+
+  /** Puts the head on this figure from now on. */
+  stand(figure: Figure, pass: FigurePass): void {
+    const { shared } = this.uniforms;
+    this.figure = figure;
+    const { positions, normals } = figure.build(pass);
+    shared.figurePositions.value = new THREE.ExternalTexture(positions);
+    shared.figureNormals.value = new THREE.ExternalTexture(normals);
+  }
+
+  /** Draws the head alone from now on, where it was modelled. */
+  standAlone(): void {
+    const { shared } = this.uniforms;
+    this.figure?.dispose();
+    this.figure = undefined;
+    shared.pivot.value.copy(PIVOT);
+    shared.headPlace.value.copy(PIVOT);
+    shared.shadowCentre.value.copy(SHADOW_CENTRE);
   }
 
   /** Draws this head from now on, where the other one was. */
@@ -177,9 +213,13 @@ export class DrawnCharacter {
     this.parts.residency.want(faces, expressions);
     this.parts.pictures.want(faces);
     this.hair.want(faces);
+    if (this.figure !== undefined) this.wantFigure(this.figure, [...names.faces, ...coming.faces], faces);
+  }
+
+  /** Has a figure fetch what these faces wear, by their names and by their sources. */
+  private wantFigure(figure: Figure, faces: readonly string[], sources: readonly string[]): void {
     const all = (list: readonly string[]) => Object.fromEntries(list.map((name) => [name, 1]));
-    const mix = pose.figure ?? STANDING;
-    this.figure?.want({ mix, faces: all([...names.faces, ...coming.faces]), sources: all(faces) });
+    figure.want({ mix: this.called.figure ?? STANDING, faces: all(faces), sources: all(sources) });
   }
 
   /** Its pose by source, `seconds` after the last frame. */
@@ -194,30 +234,41 @@ export class DrawnCharacter {
   }
 
   /** Where it stands, for the camera; all of its faces count, loaded or not, so that a wall's tiles agree. */
-  place(shot: Shot, centred: boolean): PlacedHead {
+  place(shot: Shot, centred: boolean, sizes: ShotSizes): PlacedHead {
     const { uniforms, called, parts, head } = this;
     this.turnHead();
+    this.ground = meanGround([...sizes].map(([size, weight]) => [this.groundIn(size), weight]));
+    uniforms.shared.floorSeen.value = sizes.get("full") ?? 0;
     this.stands(0, 0);
     const straight = parts.looks.extremes(this.pose);
-    const framed = { ...uniforms.shared, straight, centred };
-    const { shot: near, points } = shotOfHead(shot, framed);
-    const { shot: framedShot, body } = this.frameBody(near, straight, centred);
+    const { shot: near, points } = shotOfHead(shot, { ...uniforms.shared, straight, centred });
     const place = { ...called.place, size: this.size };
-    const { shot: own, points: standing } = placed(framedShot, [...points, ...body], place, head.matrix);
-    this.points = standing;
+    const shots = new Map<ShotSize, PlacedShot>();
+    this.points = [];
     this.headPoints = points.length;
-    return { shot: own, points: standing, presence: called.presence };
+    for (const size of SHOT_SIZES) {
+      if (!sizes.has(size)) continue;
+      const { shot: framed, body } = this.frameBody(size, near, straight, centred);
+      const own = placed(framed, [...points, ...body], place, head.matrix);
+      shots.set(size, own);
+      this.points = own.points; // the farthest shot holds most of them
+    }
+    return { shots, presence: called.presence };
   }
 
   /** The shot of its figure, where it has one, and the points of it that a picture has to hold. */
-  private frameBody(near: Shot, straight: readonly Point[], centred: boolean): { shot: Shot; body: Point[] } {
-    const { figure, ground } = this;
-    const { shotSize } = this.parts;
-    if (figure === undefined || shotSize === undefined) return { shot: near, body: [] };
+  private frameBody(
+    size: ShotSize,
+    near: Shot,
+    straight: readonly Point[],
+    centred: boolean,
+  ): { shot: Shot; body: Point[] } {
+    const { figure } = this;
+    if (figure === undefined) return { shot: near, body: [] };
     const [x, y, z] = near.centre;
-    const [aside, up, ahead] = ground.offset;
+    const [aside, up, ahead] = this.groundIn("head").offset;
     const still: Shot = centred ? near : { ...near, centre: [x - aside, y - up, z - ahead] }; // as if the body stood
-    return { shot: figureShot(figure, shotSize, straight) ?? still, body: figurePoints(figure, shotSize) };
+    return { shot: figureShot(figure, size, straight) ?? still, body: figurePoints(figure, size) };
   }
 
   /** How large it is drawn. */
@@ -225,11 +276,10 @@ export class DrawnCharacter {
     return this.called.place.size * this.ground.size;
   }
 
-  /** How it stands on the floor, where that is seen. */
-  private get ground(): { offset: Point; size: number } {
-    const { figure, parts, called, uniforms } = this;
-    if (figure === undefined || parts.shotSize === undefined) return { offset: [0, 0, 0], size: 1 };
-    return groundOf(figure, parts.shotSize, called.place.size, uniforms.shared);
+  /** How it stands in a shot of a size. */
+  private groundIn(size: ShotSize): Ground {
+    const { figure, called, uniforms } = this;
+    return figure === undefined ? UNMOVED : groundOf(figure, size, called.place.size, uniforms.shared);
   }
 
   /** Puts it in its place, `aside` to the picture's right and so much lower, metres. */
@@ -243,7 +293,7 @@ export class DrawnCharacter {
    * Puts it where the camera sees it, or beside and below the picture where that is of others; returns its points there,
    * none where no part of it is in the picture.
    */
-  stand(camera: THREE.PerspectiveCamera, frustum: THREE.Frustum, { aside, sunk }: Clearance): readonly Point[] {
+  appear(camera: THREE.PerspectiveCamera, frustum: THREE.Frustum, { aside, sunk }: Clearance): readonly Point[] {
     const { head, called, bounds } = this;
     const presence = called.presence * (1 - sunk) * this.risen * this.risen * (3 - 2 * this.risen);
     const half = Math.tan((camera.fov * Math.PI) / 360);

@@ -1,12 +1,17 @@
 import { describe, expect, it } from "vitest";
+import { PORTRAIT_SIZE } from "../link/framings";
 import { cameraPosition, PORTRAIT, type Point } from "./framing";
 import {
+  asPortraits,
   type Clearance,
   clearances,
   groupShot,
   NO_CLEARANCE,
   type PlacedHead,
+  type PlacedShot,
+  portraitsAs,
   shotsOfAll,
+  sizesIn,
   standFor,
 } from "./scene_framing";
 
@@ -17,12 +22,15 @@ const WIDE = 16 / 9;
 function head(x: number, { depth = 0, size = 1, presence = 1 } = {}): PlacedHead {
   const points = [-1, 1].map((side): Point => [x + side * 0.09 * size, 0.02, -depth]);
   const centre: [number, number, number] = [x + PORTRAIT.centre[0], PORTRAIT.centre[1], PORTRAIT.centre[2] - depth];
-  return {
+  const near = {
     shot: { centre, height: PORTRAIT.height * size, width: PORTRAIT.width * size },
-    points: [...points, [x, 0.13 * size, -depth]],
-    presence,
+    points: [...points, [x, 0.13 * size, -depth]] as Point[],
   };
+  const far = { ...near, shot: { ...near.shot, height: 7 * near.shot.height } };
+  return { shots: new Map([[PORTRAIT_SIZE, near], ["full", far] as const]), presence };
 }
+
+const portraitOf = (placed: PlacedHead): PlacedShot => placed.shots.get(PORTRAIT_SIZE) as PlacedShot;
 
 /** Where a point lies in the picture of a camera that stands there: -1..1 across and up. */
 const seen = ([x, y, z]: Point, [cx, cy, cz]: readonly number[], aspect: number): [number, number] => [
@@ -38,7 +46,7 @@ const three = new Map([
 
 describe("a framing", () => {
   it("of one character is its portrait, to the last bit", () => {
-    const portrait = cameraPosition(PORTRAIT, head(0).points, HALF, WIDE);
+    const portrait = cameraPosition(PORTRAIT, portraitOf(head(0)).points, HALF, WIDE);
     for (const key of ["one", "*"])
       expect(standFor({ [key]: 1 }, new Map([["one", head(0)]]), HALF, WIDE)).toEqual(portrait);
   });
@@ -46,15 +54,15 @@ describe("a framing", () => {
   it.each([0.4, 1, WIDE, 4])("holds every head of its characters in a picture of %s", (aspect) => {
     for (const key of ["*", "a+b", "b+c", "a+c"]) {
       const stand = standFor({ [key]: 1 }, three, HALF, aspect) as [number, number, number];
-      for (const [name, { points }] of three)
+      for (const [name, placed] of three)
         if (key === "*" || key.includes(name))
-          for (const point of points)
+          for (const point of portraitOf(placed).points)
             for (const place of seen(point, stand, aspect)) expect(Math.abs(place)).toBeLessThanOrEqual(1);
     }
   });
 
   it("touches what it holds: the camera stands no farther away than it must", () => {
-    const shots = [...three.values()].map(({ shot }) => shot);
+    const shots = [...three.values()].map((placed) => portraitOf(placed).shot);
     const group = groupShot(shots, HALF, WIDE);
     const near: [number, number, number] = [
       group.centre[0],
@@ -73,6 +81,25 @@ describe("a framing", () => {
       standFor({ "*": 1 - part, c: part }, three, HALF, WIDE)?.forEach((value, axis) => {
         expect(value).toBeCloseTo((from?.[axis] as number) * (1 - part) + (to?.[axis] as number) * part, 9);
       });
+  });
+
+  it("is of a size, and travels straight from one size to another", () => {
+    const full = standFor({ "a+b:full": 1 }, three, HALF, WIDE) as number[];
+    const near = standFor({ "a+b": 1 }, three, HALF, WIDE) as number[];
+    expect(full[2]).toBeGreaterThan(3 * (near[2] as number));
+    for (const part of [0.1, 0.6])
+      standFor({ "a+b": 1 - part, "a+b:full": part }, three, HALF, WIDE)?.forEach((value, axis) => {
+        expect(value).toBeCloseTo((near[axis] as number) * (1 - part) + (full[axis] as number) * part, 9);
+      });
+    expect([...sizesIn({ "*": 0.25, "a:full": 0.5, "b:full": 0.25, c: 0 })]).toEqual([
+      [PORTRAIT_SIZE, 0.25],
+      ["full", 0.75],
+    ]);
+    expect(portraitsAs({ "*": 0.5, "*:bust": 0.25, "a:full": 0.25 }, "bust")).toEqual({
+      "*:bust": 0.75,
+      "a:full": 0.25,
+    });
+    expect(asPortraits({ "*": 0.5, "*:bust": 0.25, "a:full": 0.25 })).toEqual({ "*": 0.75, a: 0.25 });
   });
 
   it("whose characters are all gone holds everybody; with nobody there is none", () => {
@@ -132,7 +159,7 @@ describe("who is not in a shot", () => {
     const heads = beside(x, depth);
     const stand = standFor({ a: 1 }, heads, HALF, WIDE) as [number, number, number];
     const { aside, sunk } = clear({ a: 1 }, heads, "b");
-    const { points, shot } = heads.get("b") as PlacedHead;
+    const { points, shot } = portraitOf(heads.get("b") as PlacedHead);
     const all: Point[] = [...points, [x - 0.2, 0, shot.centre[2]], [x + 0.2, 0, shot.centre[2]]];
     expect(sunk).toBe(0);
     for (const [px, py, pz] of all)

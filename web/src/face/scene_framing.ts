@@ -1,7 +1,8 @@
 /** Framings of a scene: where the camera stands for one character, for two, for all. */
 
 import { Frustum, type PerspectiveCamera } from "three";
-import { ALL, FRAMING_JOINT } from "../link/constants";
+import { ALL, FRAMING_JOINT, FRAMING_SIZED } from "../link/constants";
+import { heldBy, PORTRAIT_SIZE, type ShotSize, sizeOf, weightsBy } from "../link/framings";
 import {
   AIR,
   aim,
@@ -14,14 +15,42 @@ import {
   type WallTile,
 } from "./framing";
 
-/** A head where it stands: the shot of it, its farthest points, and how far it is on the stage, 0..1. */
-export interface PlacedHead {
+/** A shot of one character where it stands, and the points of it that a picture has to hold. */
+export interface PlacedShot {
   readonly shot: Shot;
   readonly points: readonly Point[];
+}
+
+/** A character where it stands: its shots by their sizes, and how far it is on the stage, 0..1. */
+export interface PlacedHead {
+  readonly shots: ReadonlyMap<ShotSize, PlacedShot>;
   readonly presence: number;
 }
 
 type Heads = ReadonlyMap<string, PlacedHead>;
+
+/** The weights of framings by their texts. */
+export type Framing = Readonly<Record<string, number>>;
+
+/** The weights of the sizes of shots, which sum to one. */
+export type ShotSizes = ReadonlyMap<ShotSize, number>;
+
+/** How much of figures a mix of framings shows; portraits where it is empty. */
+export function sizesIn(framing: Framing): ShotSizes {
+  const sizes = [...weightsBy(framing, sizeOf)].filter(([, weight]) => weight > 0);
+  const whole = sizes.reduce((sum, [, weight]) => sum + weight, 0);
+  if (!(whole > 0)) return new Map([[PORTRAIT_SIZE, 1]]);
+  return new Map(sizes.map(([size, weight]) => [size, weight / whole]));
+}
+
+/** A mix of framings with its portraits as shots of another size. */
+export function portraitsAs(framing: Framing, size: ShotSize): Framing {
+  const named = (key: string) => (sizeOf(key) === PORTRAIT_SIZE ? `${heldBy(key)}${FRAMING_SIZED}${size}` : key);
+  return Object.fromEntries(weightsBy(framing, named));
+}
+
+/** A mix of framings with all of its shots as portraits of the same heads. */
+export const asPortraits = (framing: Framing): Framing => Object.fromEntries(weightsBy(framing, heldBy));
 
 /**
  * The shots that a framing of all is between, with their weights, which sum to one: those of the n most present, by how much
@@ -40,7 +69,9 @@ const presenceOf = (heads: Heads, name: string): number => heads.get(name)?.pres
 
 /** The characters of a framing that there are. */
 function namesIn(framing: string, heads: Heads): string[] {
-  return framing.split(FRAMING_JOINT).filter((name) => heads.has(name));
+  return heldBy(framing)
+    .split(FRAMING_JOINT)
+    .filter((name) => heads.has(name));
 }
 
 /** One shot that holds several, as near as the largest or nearest of them allows. */
@@ -63,31 +94,42 @@ export function groupShot(shots: readonly Shot[], half: number, aspect: number):
   return { centre: [x, y, z], height: 2 * half * Math.max(...far), width: 0 };
 }
 
+/** A character in a shot of a size. */
+const shotOf = (heads: Heads, name: string, size: ShotSize): PlacedShot =>
+  (heads.get(name) as PlacedHead).shots.get(size) as PlacedShot;
+
 /** Where the camera stands for one shot of these characters. */
-function standOf(names: readonly string[], heads: Heads, half: number, aspect: number): [number, number, number] {
-  const held = names.map((name) => heads.get(name) as PlacedHead);
+function standOf(
+  names: readonly string[],
+  size: ShotSize,
+  heads: Heads,
+  half: number,
+  aspect: number,
+): [number, number, number] {
+  const held = names.map((name) => shotOf(heads, name, size));
   const shots = held.map(({ shot }) => shot);
-  const points = held.flatMap((head) => [...head.points]);
+  const points = held.flatMap((each) => [...each.points]);
   return cameraPosition(groupShot(shots, half, aspect), points, half, aspect);
 }
 
 /** Where the camera stands for a mix of framings: the weighted mean of where it stands for each. */
 export function standFor(
-  framing: Readonly<Record<string, number>>,
+  framing: Framing,
   heads: Heads,
   half: number,
   aspect: number,
 ): [number, number, number] | undefined {
-  const shots = Object.entries(framing).flatMap(([key, weight]): [string[], number][] => {
-    const names = key === ALL ? [] : namesIn(key, heads);
-    return names.length > 0 ? [[names, weight]] : shotsOfAll(heads).map(([group, part]) => [group, part * weight]);
+  const shots = Object.entries(framing).flatMap(([key, weight]): [string[], ShotSize, number][] => {
+    const [names, size] = [heldBy(key) === ALL ? [] : namesIn(key, heads), sizeOf(key)];
+    if (names.length > 0) return [[names, size, weight]];
+    return shotsOfAll(heads).map(([group, part]) => [group, size, part * weight]);
   });
-  const total = shots.reduce((sum, [, weight]) => sum + weight, 0);
+  const total = shots.reduce((sum, [, , weight]) => sum + weight, 0);
   if (!(total > 0)) return undefined;
   const mean: [number, number, number] = [0, 0, 0];
-  for (const [names, weight] of shots) {
+  for (const [names, size, weight] of shots) {
     if (weight === 0) continue;
-    const stand = standOf(names, heads, half, aspect);
+    const stand = standOf(names, size, heads, half, aspect);
     for (const axis of [0, 1, 2] as const) mean[axis] += (stand[axis] * weight) / total;
   }
   return mean;
@@ -115,22 +157,17 @@ const smooth = (x: number): number => {
  * How everybody keeps out of the shots that do not hold them: beyond the edge of the picture on their own side, or below it
  * where they stand behind (or between) those that are held, each by the weight of the framing. So a shot of one shows one.
  */
-export function clearances(
-  framing: Readonly<Record<string, number>>,
-  heads: Heads,
-  half: number,
-  aspect: number,
-): Map<string, Clearance> {
+export function clearances(framing: Framing, heads: Heads, half: number, aspect: number): Map<string, Clearance> {
   const byName = new Map<string, Clearance>();
   for (const [key, weight] of Object.entries(framing)) {
-    const names = key === ALL ? [] : namesIn(key, heads);
+    const [names, size] = [heldBy(key) === ALL ? [] : namesIn(key, heads), sizeOf(key)];
     if (names.length === 0 || names.length === heads.size || weight === 0) continue;
-    const stand = standOf(names, heads, half, aspect);
-    const held = names.map((name) => (heads.get(name) as PlacedHead).shot.centre[0]);
-    for (const [name, head] of heads) {
+    const stand = standOf(names, size, heads, half, aspect);
+    const held = names.map((name) => shotOf(heads, name, size).shot.centre[0]);
+    for (const name of heads.keys()) {
       if (names.includes(name)) continue;
       const { aside, sunk } = byName.get(name) ?? NO_CLEARANCE;
-      const more = clearanceFrom(head, held, stand, half * aspect);
+      const more = clearanceFrom(shotOf(heads, name, size), held, stand, half * aspect);
       byName.set(name, { aside: aside + weight * more.aside, sunk: Math.min(1, sunk + weight * more.sunk) });
     }
   }
@@ -138,7 +175,7 @@ export function clearances(
 }
 
 /** How a head keeps out of one shot; `held`: where those stand across that it holds; `wide`: half of what it sees a metre away. */
-function clearanceFrom({ shot, points }: PlacedHead, held: readonly number[], stand: Point, wide: number): Clearance {
+function clearanceFrom({ shot, points }: PlacedShot, held: readonly number[], stand: Point, wide: number): Clearance {
   const [left, right] = [Math.min(...held), Math.max(...held)];
   const [x, y, z] = shot.centre;
   const side = x > (left + right) / 2 ? 1 : -1;
@@ -155,10 +192,10 @@ function clearanceFrom({ shot, points }: PlacedHead, held: readonly number[], st
 export interface FramedCharacter {
   /** Its farthest points as they were drawn last. */
   readonly seen: readonly Point[];
-  /** Where it stands, as far as the camera must know. */
-  place(shot: Shot, centred: boolean): PlacedHead;
+  /** Where it stands, as far as the camera must know, in shots of these sizes. */
+  place(shot: Shot, centred: boolean, sizes: ShotSizes): PlacedHead;
   /** Puts it before the camera, out of shots of others; its points, none where no part of it is in the picture. */
-  stand(camera: PerspectiveCamera, frustum: Frustum, clearance: Clearance): readonly Point[];
+  appear(camera: PerspectiveCamera, frustum: Frustum, clearance: Clearance): readonly Point[];
 }
 
 /** Where heads lie in the picture last drawn, by name; those in sight alone. */
@@ -186,10 +223,11 @@ export interface FramedPicture {
 export function frameScene(
   camera: PerspectiveCamera,
   characters: ReadonlyMap<string, FramedCharacter>,
-  framing: Readonly<Record<string, number>>,
+  framing: Framing,
   { size, tile, shot, centred }: FramedPicture,
 ): [number, number] {
-  const heads = new Map([...characters].map(([name, character]) => [name, character.place(shot, centred)]));
+  const sizes = sizesIn(framing);
+  const heads = new Map([...characters].map(([name, character]) => [name, character.place(shot, centred, sizes)]));
   const stood = camera.position.toArray();
   camera.zoom = shot.zoom ?? 1;
   aim(camera, size, tile, (half, aspect) => standFor(framing, heads, half, aspect) ?? stood);
@@ -198,7 +236,7 @@ export function frameScene(
   );
   const clear = clearances(framing, heads, Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
   const sides = [...characters].flatMap(([name, character]) => {
-    const points = character.stand(camera, frustum, clear.get(name) ?? NO_CLEARANCE);
+    const points = character.appear(camera, frustum, clear.get(name) ?? NO_CLEARANCE);
     return points.length > 0 ? [headColumns(camera, points)] : [];
   });
   return [Math.min(1, ...sides.map(([left]) => left)), Math.max(0, ...sides.map(([, right]) => right))];

@@ -182,6 +182,11 @@ export class Library {
     return new Library(decode(await fetchWithRetry("/manifest", read)) as Manifest, read, haired);
   }
 
+  /** Whether the cast has bodies. */
+  get hasFigures(): boolean {
+    return (this.manifest.figures?.bodies.length ?? 0) > 0;
+  }
+
   hasFace(source: string): boolean {
     return this.faces.has(source);
   }

@@ -26,6 +26,8 @@ export const FIRST_CHARACTER = "one";
 export const ALL = "*";
 /** Between the names of the characters of a framing. */
 export const FRAMING_JOINT = "+";
+/** Before the size of the shot of a framing. */
+export const FRAMING_SIZED = ":";
 /** Characters that a scene holds at most. */
 export const MOST_CHARACTERS = 8;
 /** What people may do: each role all that those before it may. */
@@ -78,8 +80,8 @@ export const DEFAULT_EASING = "smooth";
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 /** In a mix of bodies: those of the faces on air, by their weights. */
 export const FACES_OWN = "own";
-/** How much of a figure a picture shows. */
-export const SHOT_SIZES = ["head", "bust", "half", "full"] as const;
+/** How much of figures a shot shows, from heads alone to all. */
+export const SHOT_SIZES = ["portrait", "head", "bust", "half", "full"] as const;
 /** The lowest and the highest weight of a channel. */
 export const CHANNEL_RANGE = [-0.5, 1.5] as const;
 /** A face's gains where it sets none, by region, in the order of the panels. */

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 11;
+export const PROTOCOL_VERSION = 12;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1241,15 +1241,17 @@ export type SetSkin = { type: "set_skin"; character: string; name: "folds" | "bl
 export type CallLight = { type: "call_light"; id: string; name: string; seconds?: number; easing?: string };
 
 /**
- * Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
- * are on the stage where none is named.
+ * Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, of all that
+ * are on the stage where none is named, of whom it holds now where `characters` is left out; as much of their figures
+ * as `size` says, heads alone in a portrait, else as much as now.
  */
 export type CallFraming = {
   type: "call_framing";
   id: string;
-  characters: string[];
+  characters?: string[] | null;
   seconds?: number;
   easing?: string;
+  size?: "portrait" | "head" | "bust" | "half" | "full" | null;
 };
 
 /**
@@ -1844,13 +1846,13 @@ export type CharacterState = {
 /**
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
  * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
- * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
- * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
- * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
- * names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
- * crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has had none.
- * `bus`: whose state it is; that of the preview has panics and homes of air. `looked_at`: the cue that is looked at in
- * preview.
+ * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted; behind a
+ * `:` the size of its shot, where that is no portrait. `gaze_points`: the named points that eyes may look at, metres
+ * as of `look_at`. `black`: how far stages fade their picture to black, 0..1; `black_goal`: where that goes. A record
+ * without them has the picture up. `memories`: the names of the looks that were kept, in the order in which they were
+ * kept first. `note`: the line of notes of the crew; `began`: when the show began, of `time`. `cues`: how far its
+ * lists of cues are, `None` where it has had none. `bus`: whose state it is; that of the preview has panics and homes
+ * of air. `looked_at`: the cue that is looked at in preview.
  */
 export type State = {
   type: "state";

@@ -1,12 +1,12 @@
 /** Reads and checks the parameters of a stage's address. */
 
-import type { ShotSize } from "../face/figure/figure_framing";
 import type { WallTile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
 import type { Bus } from "../link/bus";
 import { BACKGROUNDS, LEVELS, LIGHTS, SHOT_SIZES } from "../link/constants";
+import type { ShotSize } from "../link/framings";
 import type { SoundWish } from "./stage_sound";
 
 /** Everything a stage is told by its address. */

@@ -9,7 +9,8 @@ from dataclasses import replace
 
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction, SpokenLine
-from omote.perform.scene.character_names import ALL, JOINT, find_character, names_in
+from omote.perform.scene.character_names import ALL, find_character
+from omote.perform.scene.framings import JOINT, PORTRAIT, SIZED, names_in, size_in
 from omote.perform.scene.goals import Goal, Part
 from omote.perform.scene.look_goals import name_in
 
@@ -37,12 +38,17 @@ def named_goal(part: Part, goal: Goal, labels: Labels) -> Goal:
     if part.endswith("/look") and (looked := name_in(dict(goal))):
         return {f"character {named_character(looked, labels)}": 1.0}
     if part == f"{ALL}/framing":
-        framings = {
-            each: JOINT.join(sorted(named_character(name, labels) for name in names_in(each))) or ALL for each in goal
-        }
+        framings = {each: _named_framing(each, labels) for each in goal}
         if len(set(framings.values())) == len(goal):  # else two become one, and the cue says which when it is called
             return {framings[each]: weight for each, weight in goal.items()}
     return goal
+
+
+def _named_framing(framing: str, labels: Labels) -> str:
+    """Nobody of a label stays as written."""
+    held = JOINT.join(sorted(named_character(name, labels) for name in names_in(framing))) or ALL
+    size = size_in(framing)
+    return held if size == PORTRAIT else f"{held}{SIZED}{size}"
 
 
 def named_cue(cue: Cue, labels: Labels) -> Cue:

@@ -1,19 +1,16 @@
-"""The names of characters and of framings, and their validation."""
+"""The names of characters, and their validation."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
-from omote.perform.limits import check_known
 from omote.perform.name_lookup import fold
 
 FIRST_CHARACTER = "one"
 """The name of the first character of a new show."""
 ALL = "*"
 """In the place of a character: all of them; as a framing: a shot of all that are on the stage."""
-JOINT = "+"
-"""Between the names of the characters of a framing."""
 MOST_CHARACTERS = 8
 LONGEST_NAME = 24
 """Characters."""
@@ -68,20 +65,3 @@ def explain_missing(typed: str, labels: Mapping[str, str]) -> str:
 def describe_character(name: str, label: str) -> str:
     """A character in words: `two`, and with a label that is not its name in other letters `two (Rex)`."""
     return name if fold(name) == fold(label) else f"{name} ({label})"
-
-
-def framing_of(characters: Iterable[str], present: Iterable[str]) -> str:
-    """The framing that holds these characters, as text: `*` for none, else their names, sorted and joined by `+`.
-
-    ValueError for a character that is not `present`.
-    """
-    if isinstance(characters, str):
-        raise TypeError(f"the characters of a framing are the text {characters!r}; give a list of their names")
-    choices = list(present)
-    names = {check_known(name, choices, "character") for name in characters}
-    return JOINT.join(sorted(names)) if names else ALL
-
-
-def names_in(framing: str) -> frozenset[str]:
-    """The characters that a framing names: none for that of all."""
-    return frozenset() if framing == ALL else frozenset(framing.split(JOINT))

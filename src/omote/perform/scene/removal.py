@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from omote.perform.newest_entries import with_newest
-from omote.perform.scene.character_names import names_in
+from omote.perform.scene.framings import names_in
 from omote.perform.scene.scene_snapshot import MOST_REMOVALS, CharacterSnapshot, Removal
 
 Value = TypeVar("Value")
@@ -54,12 +54,12 @@ def insert_at_rank(
     return {key: value if key == name else characters[key] for key in [*names[:at], name, *names[at:]]}
 
 
-def framing_back(removal: Removal, framing: str, characters: Mapping[str, object]) -> frozenset[str] | None:
-    """Whom the shot held that a removal has changed; None where another was called since, or somebody of it is gone.
+def framing_back(removal: Removal, framing: str, characters: Mapping[str, object]) -> str | None:
+    """The shot that a removal has changed; None where another was called since, or somebody of it is gone.
 
     framing: the one on air; characters: those in the scene.
     """
     if removal.framing is None or removal.framing[1] != framing:
         return None
-    held = names_in(removal.framing[0])
-    return held if held <= characters.keys() else None
+    former = removal.framing[0]
+    return former if names_in(former) <= characters.keys() else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 from omote.model.known_names import GENERIC, explain_unknown
@@ -16,14 +16,8 @@ from omote.perform.motion.sight import Point
 from omote.perform.pads.kept_pads import NO_PADS
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
-from omote.perform.scene.character_names import (
-    ALL,
-    FIRST_CHARACTER,
-    MOST_CHARACTERS,
-    check_character_name,
-    framing_of,
-    names_in,
-)
+from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, MOST_CHARACTERS, check_character_name
+from omote.perform.scene.framings import names_in, size_in
 from omote.perform.scene.gaze_targets import (
     MOST_CAMERAS,
     MOST_POINTS,
@@ -333,7 +327,7 @@ class Scene(ScenePads):
         shot = self._shot
         framing = None
         if name in names_in(shot):
-            self.call_framing(names_in(shot) - {name}, seconds=seconds)
+            self.call_framing(names_in(shot) - {name}, size=size_in(shot), seconds=seconds)
             framing = (shot, self._shot)
         self._removals = with_removal(self._removals, key or name, Removal(name, before, presence, framing))
 
@@ -375,7 +369,7 @@ class Scene(ScenePads):
         self._removals.pop(key, None)
         held = framing_back(removal, self._shot, self._characters)
         if held is not None:
-            self.call_framing(held, seconds=seconds)
+            self.call_framing(names_in(held), size=size_in(held), seconds=seconds)
 
     def _put_back(self, removal: Removal, kept: CharacterSnapshot) -> None:
         name = removal.character
@@ -386,10 +380,6 @@ class Scene(ScenePads):
         character.wear_pads(self._pads.kept)
         self._characters = insert_at_rank(self._characters, name, character, removal.before)
         self._standings = insert_at_rank(self._standings, name, kept.standing, removal.before)
-
-    @property
-    def _shot(self) -> str:
-        return self._framing.on_air if self._framing.call is None else self._framing.call.target
 
     def rename(self, name: str, label: str) -> None:
         """Gives a character another label; its name stays.
@@ -594,39 +584,6 @@ class Scene(ScenePads):
         if camera is None or (stage not in self._cameras and len(self._cameras) >= MOST_CAMERAS):
             return
         self._cameras = {**self._cameras, stage: check_point(*camera, f"the camera of the stage {stage!r}")}
-
-    def call_framing(
-        self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
-    ) -> None:
-        """Brings a framing on air, from whatever the picture shows.
-
-        Parameters
-        ----------
-        characters : sequence of str
-            Whom the picture holds; nobody: all that are on the stage.
-        seconds : float
-            How long it takes, 0 to 3600; 0 cuts.
-        easing : {"smooth", "gentle", "sharp", "early", "late"}
-            The curve of the way.
-
-        Raises
-        ------
-        ValueError
-            On a character or an easing that there is not, and on seconds out of range.
-        TypeError
-            On a text instead of a list, and on seconds that are no number.
-
-        Examples
-        --------
-        >>> scene = omote.Scene.begun(cast)
-        >>> kaori = scene.add("kaori")
-        >>> scene.call_framing(["one", "kaori"], seconds=0)
-        >>> dict(scene.advance(0.0).framing)
-        {'kaori+one': 1.0}
-        """
-        framing = framing_of(characters, self._characters)
-        find_easing(easing)
-        self._framing = axis.called(self._framing, framing, check_call_seconds(seconds), easing)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
         """Brings a light on air from whatever light shows.

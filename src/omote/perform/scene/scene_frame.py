@@ -56,7 +56,8 @@ class CharacterFrame:
 class SceneFrame:
     """The characters by name in the order in which they were added, and the mixes of lights and of framings at `time`.
 
-    A framing is `*`, a shot of all that are on the stage, or the names of its characters, sorted and joined by `+`.
+    A framing is `*`, a shot of all that are on the stage, or the names of its characters, sorted and joined by `+`;
+    with `:full` and the like behind it their figures are seen.
     gaze_points: the named points that eyes may look at, metres. black: how far the picture is faded to black, 0..1;
     black_goal: where that goes. memories: the names of the looks that were kept.
     """

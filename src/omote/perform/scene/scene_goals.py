@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -12,8 +12,9 @@ from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import check_call_seconds, check_known, check_within
 from omote.perform.scene import movement
-from omote.perform.scene.character_names import ALL, check_character, framing_of, names_in
+from omote.perform.scene.character_names import ALL, check_character
 from omote.perform.scene.clip_goals import clip_of_goal
+from omote.perform.scene.framings import framing_of, names_in, size_in
 from omote.perform.scene.goals import (
     BLACK_LIMITS,
     PRESENCE_LIMITS,
@@ -126,7 +127,7 @@ class SceneGoals(SceneClips):
         character, name = split_part(part)
         if name == "framing":
             for framing in checked:
-                framing_of(names_in(framing), self._characters)
+                framing_of(names_in(framing), self._characters, size_in(framing))
         elif name == "light":
             check_names(checked, LIGHTS, "light")
         elif name == "clip":
@@ -309,6 +310,54 @@ class SceneGoals(SceneClips):
             self._stand(name, place=place, presence=movement.repaced(standing.presence, pace))
         for character in self._characters.values():
             character.set_pace(pace)
+
+    def call_framing(
+        self,
+        characters: Iterable[str] | None = (),
+        *,
+        size: str | None = None,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
+    ) -> None:
+        """Brings a framing on air, from whatever the picture shows.
+
+        Parameters
+        ----------
+        characters : sequence of str, optional
+            Whom the picture holds; nobody: all that are on the stage; None: whom it holds now.
+        size : {"portrait", "head", "bust", "half", "full"}, optional
+            How much of their figures the picture shows, a portrait heads alone; without it as much as now.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On a character, a size or an easing that there is not, and on seconds out of range.
+        TypeError
+            On a text instead of a list, and on seconds that are no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> kaori = scene.add("kaori")
+        >>> scene.call_framing(["one", "kaori"], seconds=0)
+        >>> dict(scene.advance(0.0).framing)
+        {'kaori+one': 1.0}
+        >>> scene.call_framing(size="full", seconds=2)
+        >>> dict(scene.advance(1.0).framing)
+        {'kaori+one': 0.5, '*:full': 0.5}
+        """
+        held = names_in(self._shot) if characters is None else characters
+        framing = framing_of(held, self._characters, size_in(self._shot) if size is None else size)
+        find_easing(easing)
+        self._framing = axis.called(self._framing, framing, check_call_seconds(seconds), easing)
+
+    @property
+    def _shot(self) -> str:
+        return self._framing.on_air if self._framing.call is None else self._framing.call.target
 
     def _scene_axis(self, name: str) -> Axis:
         return self._light if name == "light" else self._framing

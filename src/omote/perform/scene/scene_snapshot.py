@@ -11,7 +11,8 @@ from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.motion.sight import Point
 from omote.perform.pads.kept_pads import NO_PADS, Pads, check_pads
-from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
+from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name
+from omote.perform.scene.framings import framing_or_none
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
 from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
 from omote.perform.scene.memories import CHANNELS, NO_MEMORIES, Memories, Turning, check_memories, check_turning
@@ -129,15 +130,6 @@ def check_removals(snapshot: SceneSnapshot) -> None:
 def known_framings(framing: Axis, characters: Mapping[str, object]) -> dict[str, None]:
     """The framings of an axis that some of these characters make. framing: the axis."""
     return {name: None for name in axis_names(framing) if name == framing_or_none(name, characters)}
-
-
-def framing_or_none(text: str, characters: Mapping[str, object]) -> str | None:
-    """The framing that a text means, in its one spelling; None where it names somebody else.
-
-    characters: those in the scene.
-    """
-    names = names_in(text)
-    return framing_of(names, characters) if names <= characters.keys() else None
 
 
 def check_standing(standing: Standing, name: str) -> None:

@@ -10,8 +10,9 @@ import msgspec
 from omote.perform.cues.cue import LONGEST_TEXT, Cue, GoesOn
 from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.scene.character_names import ALL, names_in
+from omote.perform.scene.character_names import ALL
 from omote.perform.scene.clip_goals import clip_of_goal
+from omote.perform.scene.framings import names_in
 from omote.perform.scene.goals import MACROS, Part, passes, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
 from omote.perform.scene.pad_goals import is_pad_goal

@@ -8,12 +8,18 @@ import msgspec
 
 from omote.perform.easing import DEFAULT_EASING, HAND_SECONDS
 from omote.perform.limits import LONGEST_CALL
-from omote.perform.scene.character_names import MOST_CHARACTERS, framing_of
+from omote.perform.scene.character_names import ALL, MOST_CHARACTERS
+from omote.perform.scene.framings import JOINT, ShotSize, framing_of, names_in, size_in
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import CallId, CharacterName, Name, RequestId, SceneCommand, Seconds, Session
 from omote.show.objects.calls import seconds_of
-from omote.show.objects.state import named_most
+from omote.show.objects.state import State, named_most
 from omote.show.osc import Osc, Value, osc
+
+
+def _shot(state: State) -> str:
+    """The framing that is called, or that weighs most."""
+    return named_most(state.framing, state.framing_call)
 
 
 class CallLight(SceneCommand, frozen=True):
@@ -41,8 +47,9 @@ class CallLight(SceneCommand, frozen=True):
 
 
 class CallFraming(SceneCommand, frozen=True):
-    """Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
-    are on the stage where none is named."""
+    """Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, of all that
+    are on the stage where none is named, of whom it holds now where `characters` is left out; as much of their figures
+    as `size` says, heads alone in a portrait, else as much as now."""
 
     plays = "framing"
     osc = (
@@ -51,22 +58,30 @@ class CallFraming(SceneCommand, frozen=True):
             "brings a shot of these characters on air",
             (Value("framing", name="characters"), "seconds"),
             of_show=True,
-            on_air=lambda state: (named_most(state.framing, state.framing_call),),
+            on_air=lambda state: (JOINT.join(sorted(names_in(_shot(state)))) or ALL,),
+        ),
+        Osc(
+            "shot",
+            "brings a shot on air that shows so much of whom the picture holds",
+            (Value("shot", name="size"), "seconds"),
+            of_show=True,
+            on_air=lambda state: (size_in(_shot(state)),),
         ),
     )
 
     id: CallId
-    characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)]
+    characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)] | None = None
     seconds: Seconds = 1.0
     easing: Name = DEFAULT_EASING
+    size: ShotSize | None = None
 
     def check_names(self, session: Session) -> None:
         """Raises ValueError for a character that there is not. session: the show."""
-        framing_of(self.characters, session.scene)
+        framing_of(self.characters or (), session.scene)
 
     def change(self, scene: Scene) -> None:
         """Changes the scene."""
-        scene.call_framing(self.characters, seconds=self.seconds, easing=self.easing)
+        scene.call_framing(self.characters, size=self.size, seconds=self.seconds, easing=self.easing)
 
 
 class CallBlack(SceneCommand, frozen=True):

@@ -11,7 +11,6 @@ from omote.show.declaration import ClientMessage, Outgoing, ServerMessage, Sessi
 
 StageName = Annotated[str, msgspec.Meta(max_length=24)]
 Level = Literal["lowest", "low", "medium", "good", "high"]
-ShotSize = Literal["head", "bust", "half", "full"]
 """How much of a figure a picture shows."""
 SoundState = Literal["", "blocked", "ready"]
 AwakeState = Literal["", "kept", "insecure", "refused"]

@@ -225,13 +225,13 @@ class State(ServerMessage, frozen=True):
     """All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
 
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
-    to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
-    `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
-    picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
-    names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
-    crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has had none.
-    `bus`: whose state it is; that of the preview has panics and homes of air. `looked_at`: the cue that is looked at in
-    preview.
+    to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted; behind a
+    `:` the size of its shot, where that is no portrait. `gaze_points`: the named points that eyes may look at, metres
+    as of `look_at`. `black`: how far stages fade their picture to black, 0..1; `black_goal`: where that goes. A record
+    without them has the picture up. `memories`: the names of the looks that were kept, in the order in which they were
+    kept first. `note`: the line of notes of the crew; `began`: when the show began, of `time`. `cues`: how far its
+    lists of cues are, `None` where it has had none. `bus`: whose state it is; that of the preview has panics and homes
+    of air. `looked_at`: the cue that is looked at in preview.
     """
 
     epoch: int

@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import { repeat } from "lit/directives/repeat.js";
 import { EASING_NAMES } from "../../link/constants";
+import { FIGURE_SHOTS } from "../../link/framings";
 import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
@@ -284,7 +285,10 @@ export class CueEditor extends CueElement {
     const kind = kindOf(part);
     if (kind === "clip") return ["stop", ...this.cues.clips];
     if (firstGoal(part) !== "") return [firstGoal(part)];
-    if (kind === "framing") return ["*", ...Object.keys(shown?.characters ?? {})];
+    if (kind === "framing") {
+      const held = ["*", ...Object.keys(shown?.characters ?? {})];
+      return held.flatMap((name) => [name, ...FIGURE_SHOTS.map((size) => `${name}:${size}`)]);
+    }
     if (kind === "look") return this.#looked(part);
     const documents = kind === "face" ? faces : kind === "light" ? lights : expressions;
     return [...documents.map(({ name }) => name), ...pointsOffered(kind, this.cues.pads ?? [])];

@@ -20,6 +20,7 @@ it.each([
   ["*/light", ["dusk"], ["no light dusk"]],
   ["*/framing", ["*"], []],
   ["*/framing", ["one+gone"], ["no character gone"]],
+  ["*/framing", ["one:full"], []],
   ["one/head", ["yaw", "pitch", "roll"], []],
   ["one/look", ["character two"], []],
   ["one/look", ["character gone"], ["no character gone"]],

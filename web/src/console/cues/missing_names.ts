@@ -1,6 +1,7 @@
 /** What cues name that is not in the show now: it may come later, so it is marked and not refused. */
 
 import { ALL, PLAY_REGIONS } from "../../link/constants";
+import { heldBy } from "../../link/framings";
 import type { Cue } from "../../link/messages";
 import { clipCallOf } from "./clip_goal";
 import { type Goal, kindOf } from "./goal_text";
@@ -26,7 +27,11 @@ export function missingInMove(part: string, goal: Goal, known: KnownNames): stri
   const call = kind === "clip" ? clipCallOf(goal) : null;
   if (call !== null) return [...whose, ...lacks("clip", call.clip)];
   if (kind === "framing")
-    return names.flatMap((name) => name.split("+").flatMap((one) => (one === ALL ? [] : lacks("character", one))));
+    return names.flatMap((name) =>
+      heldBy(name)
+        .split("+")
+        .flatMap((one) => (one === ALL ? [] : lacks("character", one))),
+    );
   const [looked = "", at] = /^(?:character|gaze_point) (.+)$/.exec(names[0] ?? "") ?? [];
   if (kind !== "look" || at === undefined) return whose;
   return [...whose, ...lacks(looked.startsWith("character") ? "character" : "gaze point", at)];

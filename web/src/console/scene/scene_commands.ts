@@ -1,6 +1,7 @@
 /** What an operator does to the scene: characters come, go, are named; the picture holds some of them. */
 
 import { MOST_CHARACTERS } from "../../link/constants";
+import type { ShotSize } from "../../link/framings";
 import type { CharacterState, Refused } from "../../link/messages";
 import { randomId } from "../../ui/browser_storage";
 import { freeLabel, nameOf } from "../store/character_names";
@@ -79,10 +80,16 @@ export class SceneCommands {
     this.store.ask({ type: enters ? "enter_character" : "leave_character", character, seconds: this.seconds });
   }
 
-  /** A shot of these characters; of none: of all that are on the stage. */
+  /** A shot of these characters, of none: of all that are on the stage; as near as now. */
   frame(characters: readonly string[]): void {
     const { easing } = this.store.timing.face;
     this.store.ask({ type: "call_framing", characters: [...characters], seconds: this.seconds, easing });
+  }
+
+  /** A shot of whom the picture holds that shows so much of them. */
+  size(size: ShotSize): void {
+    const { easing } = this.store.timing.face;
+    this.store.ask({ type: "call_framing", characters: null, seconds: this.seconds, easing, size });
   }
 }
 

@@ -1,8 +1,9 @@
 /** The scene in the place of faders and pads: who is played and on the stage, where, and what the picture holds. */
 
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { ALL, FRAMING_JOINT } from "../../link/constants";
+import { ALL, FRAMING_JOINT, SHOT_SIZES } from "../../link/constants";
+import { heldBy, type ShotSize, sizeOf, weightsBy } from "../../link/framings";
 import type { CharacterState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { whileShown } from "../../ui/topic_element";
@@ -17,6 +18,15 @@ import "./place_map";
 
 const LONGEST_LABEL = 80;
 const LONGEST_SECONDS = 60;
+
+/** What shots of each size show. */
+const SIZES: Readonly<Record<ShotSize, string>> = {
+  portrait: "Heads alone, as on a stage of faces",
+  head: "The head on its body",
+  bust: "Head and shoulders",
+  half: "Down to the hips",
+  full: "The whole figure, on the floor",
+};
 
 /** Characters, places and framing. Tells `close`. */
 @customElement("omote-scene-panel")
@@ -44,6 +54,7 @@ export class ScenePanel extends AnimatedElement {
             .value=${String(seconds)} @change=${(event: Event) => this.#time(event.target as HTMLInputElement)} /> s</label>
           <button class="close" aria-label="Close the scene" @click=${this.close}>Close</button></header>
         <div class="shots" role="group" aria-label="Framing"><h2>Shot</h2>${this.#framings()}</div>
+        ${this.store.manifest?.figures?.bodies.length ? html`<div class="shots" role="group" aria-label="Size of the shot"><h2>Size</h2>${this.#sizes()}</div>` : nothing}
         ${Object.entries(this.#commands.characters).map(([name, character]) => this.#character(name, character))}
       </section>
       <omote-place-map .context=${context} .placing=${this.#placing}></omote-place-map>
@@ -79,10 +90,18 @@ export class ScenePanel extends AnimatedElement {
     );
   }
 
+  /** A key for each size of a shot. */
+  #sizes() {
+    return SHOT_SIZES.map(
+      (size) => html`<button class="shot" data-size=${size} aria-pressed="false" title=${SIZES[size]}
+        @click=${() => this.#commands.size(size)}><i></i><span>${size}</span></button>`,
+    );
+  }
+
   get #onAir(): readonly string[] {
     const state = this.store.state;
     const called = state?.framing_call?.target;
-    return [...Object.keys(state?.framing ?? {}), ...(called === undefined ? [] : [called])];
+    return [...Object.keys(state?.framing ?? {}), ...(called === undefined ? [] : [called])].map(heldBy);
   }
 
   #shots = "";
@@ -95,12 +114,19 @@ export class ScenePanel extends AnimatedElement {
     if (shots !== this.#shots) this.requestUpdate();
     this.#shots = shots;
     const [heaviest] = Object.entries(state.framing).sort(([, weight], [, other]) => other - weight);
-    const chosen = state.framing_call?.target ?? heaviest?.[0];
-    for (const key of this.renderRoot.querySelectorAll<HTMLElement>(".shot")) {
-      const framing = key.dataset.framing ?? "";
-      const weight = state.framing[framing] ?? 0;
-      this.write.attribute(key, "aria-pressed", String(framing === chosen));
-      this.write.attribute(key, "title", weight > 0 && weight < 1 ? `${Math.round(100 * weight)} %` : "");
+    const chosen = state.framing_call?.target ?? heaviest?.[0] ?? ALL;
+    this.#mark("framing", weightsBy(state.framing, heldBy), heldBy(chosen));
+    this.#mark("size", weightsBy(state.framing, sizeOf), sizeOf(chosen));
+  }
+
+  /** Marks keys of one kind. */
+  #mark(kind: "framing" | "size", weights: ReadonlyMap<string, number>, chosen: string): void {
+    for (const key of this.renderRoot.querySelectorAll<HTMLElement>(`.shot[data-${kind}]`)) {
+      const name = key.dataset[kind] ?? "";
+      const weight = weights.get(name) ?? 0;
+      this.write.attribute(key, "aria-pressed", String(name === chosen));
+      if (kind === "framing")
+        this.write.attribute(key, "title", weight > 0 && weight < 1 ? `${Math.round(100 * weight)} %` : "");
       this.write.style(key.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
     }
   }

@@ -77,6 +77,9 @@ export const style = css`
     max-width: 160px;
     min-height: 28px;
   }
+  .shot[data-size] span {
+    text-transform: capitalize;
+  }
   .shot span {
     display: block;
     ${ellipsis}

@@ -1,10 +1,8 @@
 /** Shots of figures: how much of one is seen, the points that a picture has to hold, and how it stands on the floor. */
 
 import { Box3, type Matrix3, Vector3 } from "three";
-import type { SHOT_SIZES } from "../../link/constants";
+import type { ShotSize } from "../../link/framings";
 import type { Vector } from "./rotations";
-
-export type ShotSize = (typeof SHOT_SIZES)[number];
 
 /** What a figure with its arms spread lies in, metres. */
 export const FIGURE_BOUNDS = new Box3(new Vector3(-1.4, -2.4, -1.4), new Vector3(1.4, 1, 1.4));
@@ -33,10 +31,10 @@ interface Shot {
   width: number;
 }
 
-/** The shot of a figure that stands; undefined for one of its head, and while it is not here. */
+/** The shot of a figure that stands; undefined for those of its head, and while it is not here. */
 export function figureShot(figure: FramedFigure, size: ShotSize, head: readonly Vector[]): Shot | undefined {
   const [shoulder, hip] = [figure.standing("upperarm01.L"), figure.standing("upperleg01.L")];
-  if (size === "head" || shoulder === undefined || hip === undefined) return undefined;
+  if (size === "portrait" || size === "head" || shoulder === undefined || hip === undefined) return undefined;
   const top = Math.max(...head.map(([, y]) => y)) + OVER;
   const chest = shoulder[1] - 0.3 * (shoulder[1] - hip[1]);
   const bottom = { bust: chest, half: hip[1] - 0.05, full: figure.soles - BELOW }[size];
@@ -47,6 +45,7 @@ const SHOULDERS = ["upperarm01"];
 const ARMS = ["lowerarm01", "wrist", "finger1-3", "finger2-3", "finger3-3", "finger5-3"];
 const LEGS = ["upperleg01", "lowerleg01", "foot", "toes"];
 const HELD: Readonly<Record<ShotSize, readonly string[]>> = {
+  portrait: [],
   head: [],
   bust: SHOULDERS,
   half: [...SHOULDERS, ...ARMS],
@@ -75,6 +74,25 @@ interface CarriedHead {
   readonly headTurn: { readonly value: Matrix3 };
 }
 
+/** How a figure is moved, in its own metres, and enlarged. */
+export interface Ground {
+  readonly offset: readonly [number, number, number];
+  readonly size: number;
+}
+
+/** What stands as it was modelled. */
+export const UNMOVED: Ground = { offset: [0, 0, 0], size: 1 };
+
+/** The mean of how a figure stands in several shots, by their weights. */
+export function meanGround(grounds: readonly (readonly [Ground, number])[]): Ground {
+  const mean = (read: (ground: Ground) => number): number =>
+    grounds.reduce((sum, [ground, weight]) => sum + weight * read(ground), 0);
+  return {
+    offset: [mean(({ offset }) => offset[0]), mean(({ offset }) => offset[1]), mean(({ offset }) => offset[2])],
+    size: mean(({ size }) => size),
+  };
+}
+
 /**
  * How a figure is moved, in its own metres, and enlarged to stand where it is seen: a head stays where heads are framed;
  * where a floor is seen all stand on it, as large as their people are. `size`: of its place.
@@ -84,9 +102,10 @@ export function groundOf(
   shot: ShotSize,
   size: number,
   { pivot, headPlace }: CarriedHead,
-): { offset: [number, number, number]; size: number } {
-  if (shot === "head") return { offset: pivot.value.clone().sub(headPlace.value).toArray(), size: 1 };
-  if (shot === "bust") return { offset: [0, 0, 0], size: 1 };
+): Ground {
+  if (shot === "portrait" || shot === "head")
+    return { offset: pivot.value.clone().sub(headPlace.value).toArray(), size: 1 };
+  if (shot === "bust") return UNMOVED;
   const own = 1 / figure.size;
   return { offset: [0, FLOOR / (size * own) - figure.soles, 0], size: own };
 }

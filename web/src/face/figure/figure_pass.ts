@@ -113,6 +113,7 @@ export class FigurePass {
 
   /** Draws figures, when their heads are blended. */
   draw(jobs: readonly FigureJob[]): void {
+    if (jobs.length === 0) return; // or what three has bound would no more be bound
     const { gl } = this;
     for (const state of [gl.BLEND, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.disable(state);
     gl.colorMask(true, true, true, true);

@@ -14,6 +14,7 @@ export const CONTACTS = ["foot.L", "toes.L", "foot.R", "toes.R", "root"] as cons
 export const floorUniforms = () => ({
   contacts: { value: CONTACTS.map(() => new THREE.Vector3()) },
   soles: { value: 0 },
+  floorSeen: { value: 1 },
 });
 
 const FLOOR_VERTEX = `
@@ -33,6 +34,7 @@ void main() {
 const FLOOR_FRAGMENT = `${FRAGMENT_HEAD}
 uniform vec3 contacts[${CONTACTS.length}];
 uniform float soles;
+uniform float floorSeen;
 in vec3 vPoint;
 
 /** How much of the sky a foot hides: less the higher it is. */
@@ -52,7 +54,7 @@ void main() {
   float dark = max(hidden(contacts[0], contacts[1]), hidden(contacts[2], contacts[3]));
   float body = 0.35 * exp(-dot(from, from) * 14.0);
   float open = (1.0 - 0.85 * dark) * (1.0 - body);
-  colour = vec4(display(light) * pool * open, 1.0 - open);
+  colour = floorSeen * vec4(display(light) * pool * open, 1.0 - open);
 }
 `;
 

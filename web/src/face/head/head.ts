@@ -52,6 +52,8 @@ export interface HeadUniforms
   /** Rows of skin and body as a figure is posed, and their normals. */
   figurePositions: THREE.IUniform<THREE.Texture | null>;
   figureNormals: THREE.IUniform<THREE.Texture | null>;
+  /** How far the floor is seen, 0..1. */
+  floorSeen: THREE.IUniform<number>;
   /** Where feet and hips are, and the height of the soles of a figure that stands. */
   contacts: THREE.IUniform<THREE.Vector3[]>;
   soles: THREE.IUniform<number>;
@@ -69,7 +71,8 @@ export interface EyeUniforms extends Uniforms {
 }
 
 /** Where the head turns: the top of the spine, metres. */
-const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
+/** Where a head alone turns: in the neck, metres. */
+export const PIVOT = new THREE.Vector3(0, -0.075, 0.03);
 
 /** The uniforms of a head; `common`: of another, whose grain and layers of the skin it shares. */
 export function headUniforms(
