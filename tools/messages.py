@@ -28,6 +28,7 @@ from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
+from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.fitting.landmarks import SEVEN
 from omote.model.folding import LIDS, RANGE
 from omote.model.hair import STRETCH
@@ -222,6 +223,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
+    "POSE_REGIONS": ("The parts of a figure that can do a pose of their own.", POSE_REGIONS),
     "FACES_OWN": ("In a mix of bodies: those of the faces on air, by their weights.", FACES_OWN),
     "SHOT_SIZES": ("How much of figures a shot shows, from heads alone to all.", SHOT_SIZES),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),

@@ -16,9 +16,16 @@ from playwright.sync_api import Locator, Page, Route, WebSocketRoute, expect
 
 import omote
 from tests.browser.console_at_rest import DESK, bring_to_rest, wait_for
+from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
 Console = Callable[..., Page]
+
+POSE_TILES = """(name => [...document.querySelectorAll("omote-console")].flatMap((page) => [...page.shadowRoot
+    .querySelectorAll("omote-palette")]).map((palette) => palette.shadowRoot.querySelector("omote-pose-tiles"))
+    .find(Boolean)?.shadowRoot.querySelector(`.tile[data-name="${name}"] canvas`))"""
+"""The picture of a pose, by its name."""
+PIXELS = "((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.join())"
 
 TWO_FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 
@@ -928,3 +935,32 @@ def test_a_second_character_is_added_played_alone_and_taken_back(console: Consol
     for _ in range(2):
         page.keyboard.press("Control+z")
     wait_for(page, "!('two' in state.characters)")
+
+
+def test_poses_are_called_from_their_pictures_of_the_whole_figure_or_a_region_and_bodies_apart(
+    console: Console,
+) -> None:
+    page = console(pictures=True)
+    page.get_by_role("tab", name="Poses", exact=True).click()
+    wave = page.locator("omote-pose-tiles .tile[data-name='wave']")
+    wave.click()
+    wait_for(page, "state.figure?.poses.wave === 1")
+    expect(wave).to_have_class("tile air")
+    wait_until(page, "drawn?.dataset.drawn?.includes('posed wave')", f"const drawn = {POSE_TILES}('wave')")
+    different = f"{PIXELS}({POSE_TILES}('wave')) !== {PIXELS}({POSE_TILES}('bow'))"
+    wait_until(page, f"{POSE_TILES}('bow')?.dataset.drawn?.includes('posed bow') && {different}")
+
+    page.get_by_label("Where poses are called").select_option("trunk")
+    page.get_by_label("Search poses by name").fill("bow")
+    page.get_by_label("Search poses by name").press("Enter")
+    wait_for(page, "state.figure.regions.trunk?.bow === 1 && state.figure.poses.wave === 1")
+    page.get_by_label("Body", exact=True).select_option("heavy")
+    wait_for(page, "state.figure.bodies.heavy === 1")
+    expect(page.get_by_label("Body", exact=True)).to_have_value("heavy")
+
+    page.get_by_label("Body", exact=True).select_option("own")
+    page.get_by_label("Where poses are called").select_option("whole")
+    page.get_by_label("Search poses by name").fill("")
+    page.locator("omote-pose-tiles .tile[data-name='stand']").click()
+    wait_for(page, "state.figure === null")
+    page.evaluate(f"{DESK}.arrange({{ kind: 'performed' }})")

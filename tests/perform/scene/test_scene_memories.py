@@ -25,8 +25,10 @@ def played(cast: Cast) -> Scene:
     two.call_expression("jawOpen", seconds=0.0, region="mouth")
     scene["one"].set_head(yaw=0.5, pitch=0.1, roll=-0.2)
     two.set_gaze(yaw=0.3, pitch=-0.1)
+    scene["one"].call_pose(synthetic.POSES[1], seconds=0.0)
+    two.call_pose(synthetic.POSES[2], seconds=0.0, region="arm_left")
     scene.call_light("flat", seconds=0.0)
-    scene.call_framing(["two"], seconds=0.0)
+    scene.call_framing(["two"], size="full", seconds=0.0)
     scene.advance(0.0)
     return scene
 
@@ -35,8 +37,12 @@ def look(frame: SceneFrame) -> dict[str, object]:
     """All that a memory has of a frame."""
     frames = {name: each.frame for name, each in frame.characters.items()}
     mixes = {name: (dict(on.faces), dict(on.expressions), dict(on.regions)) for name, on in frames.items()}
+    figures = {
+        f"{name} stands": on.figure and (on.figure.poses, on.figure.regions, on.figure.bodies)
+        for name, on in frames.items()
+    }
     turns = {f"{name} turns": (on.head, on.gaze) for name, on in frames.items()}
-    return {**mixes, **turns, "light": dict(frame.light), "framing": dict(frame.framing)}
+    return {**mixes, **figures, **turns, "light": dict(frame.light), "framing": dict(frame.framing)}
 
 
 def play_other(scene: Scene) -> None:
@@ -44,6 +50,7 @@ def play_other(scene: Scene) -> None:
     for character in ("one", "two"):
         scene[character].call_face("generic", seconds=0.4)
         scene[character].call_expression("neutral", seconds=0.4)
+        scene[character].call_pose(synthetic.POSES[0], seconds=0.4)
         scene[character].set_head(yaw=-0.4, pitch=0.0, roll=0.0)
         scene[character].set_gaze(yaw=-0.2, pitch=0.0)
     scene.call_light("theatre", seconds=0.4)

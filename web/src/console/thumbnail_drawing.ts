@@ -1,17 +1,32 @@
-/** Draws thumbnails of faces by one view on a canvas of its own: one graphics context for all of them. */
+/** Draws thumbnails by two views on canvases of their own: one of faces, and one of figures once a pose is asked for. */
 
 import { capture } from "../face/capture";
-import { FaceView } from "../face/face_view";
+import { FaceView, type FaceViewOptions } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
-import { restPose } from "../face/pose/pose";
+import { restPose, STANDING } from "../face/pose/pose";
 import type { Library } from "../link/assets";
 import { type DrawThumbnail, THUMBNAIL_SIZE } from "../ui/thumbnails";
 
 export async function openThumbnails(library: Library): Promise<DrawThumbnail> {
-  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMBNAIL, pixelRatio: 1 });
-  view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
-  return async ({ face, expression }) => {
-    await view.present(restPose(face, expression));
+  const faces = await openView(library, { shot: THUMBNAIL });
+  let figures: Promise<FaceView> | undefined;
+  return async ({ face, expression, pose }) => {
+    if (pose === undefined) {
+      await faces.present(restPose(face, expression));
+      return capture(faces);
+    }
+    figures ??= openView(library, { shotSize: "full", background: GROUND });
+    const view = await figures;
+    await view.present({ ...restPose(face, expression), figure: { ...STANDING, poses: { [pose]: 1 } } });
     return capture(view);
   };
+}
+
+/** Behind figures, whose suits are black: grey in linear light. */
+const GROUND: [number, number, number] = [0.1, 0.105, 0.115];
+
+async function openView(library: Library, options: FaceViewOptions): Promise<FaceView> {
+  const view = await FaceView.load(document.createElement("canvas"), library, { ...options, pixelRatio: 1 });
+  view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
+  return view;
 }

@@ -78,6 +78,8 @@ export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as co
 export const DEFAULT_EASING = "smooth";
 /** The levels of quality, from the cheapest to the best. */
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
+/** The parts of a figure that can do a pose of their own. */
+export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"] as const;
 /** In a mix of bodies: those of the faces on air, by their weights. */
 export const FACES_OWN = "own";
 /** How much of figures a shot shows, from heads alone to all. */

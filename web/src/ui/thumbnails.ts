@@ -6,6 +6,8 @@ export interface ThumbnailSubject {
   readonly expression: string;
   /** A hair style, "" none, that the face is to wear in place of its own: the picture shows the whole head. */
   readonly hair?: string;
+  /** A pose that its figure is to do: the picture shows all of it. */
+  readonly pose?: string;
 }
 
 /** The size of a thumbnail in pixels; sharp on a display of one and a half. */
@@ -71,7 +73,7 @@ export class Thumbnails {
       this.#show(canvas, subject, cached);
       return;
     }
-    if (subject.hair === undefined) this.#standIn(canvas, subject.face);
+    if (subject.hair === undefined && subject.pose === undefined) this.#standIn(canvas, subject.face);
     else this.#fade(canvas);
     this.#waiting.set(canvas, subject);
     void this.#work();
@@ -154,5 +156,7 @@ export class Thumbnails {
 /** The picture that may stand in for one: the same face at rest. */
 const standInOf = (wanted: string | undefined): string | undefined => wanted?.replace(/ .*$/, ` ${NEUTRAL}`);
 
-const keyOf = ({ face, expression, hair }: ThumbnailSubject): string =>
-  hair === undefined ? `${face} ${expression}` : `${face} ${expression} with ${hair || "no hair"}`;
+function keyOf({ face, expression, hair, pose }: ThumbnailSubject): string {
+  const worn = hair === undefined ? "" : ` with ${hair || "no hair"}`;
+  return `${face} ${expression}${worn}${pose === undefined ? "" : ` posed ${pose}`}`;
+}

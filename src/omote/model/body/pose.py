@@ -68,7 +68,7 @@ class Pose:
         _check(self, "travel", (3,), FARTHEST, "leg lengths")
         _check(self, "feet", (FEET, 3), FARTHEST, "leg lengths")
         _check(self, "feet_turns", (FEET, 3), LARGEST_TURN, "radians")
-        object.__setattr__(self, "label", self.label or self.name.replace("_", " "))
+        object.__setattr__(self, "label", self.label or self.name.replace("_", " ").capitalize())
 
 
 def _check(pose: Pose, name: str, shape: tuple[int, ...], most: float, unit: str) -> None:

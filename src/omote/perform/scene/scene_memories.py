@@ -8,17 +8,21 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import check_call_seconds, check_known
 from omote.perform.scene.character_names import ALL
-from omote.perform.scene.goals import WITH_FACE, Goal, Part
+from omote.perform.scene.goals import BODY, POSE, POSE_PARTS, WITH_FACE, Goal, Part
 from omote.perform.scene.memories import Memories, Memory, with_memory, with_restored, without_memory
 from omote.perform.scene.scene_goals import SceneGoals
+from omote.perform.snapshot import Playable
 
 REMEMBERED = ("face", "expression", *PLAY_REGIONS, "head", "gaze")
-"""What a memory has of each character; of the scene it has light and framing."""
+"""What a memory has of each character, and of its figure where the cast has any; of the scene it has light and
+framing."""
+REMEMBERED_OF_FIGURES = (POSE, *POSE_PARTS, BODY)
 
 
 class SceneMemories(SceneGoals):
     """The memories of a scene: its whole look under a name, as it shows, and back in one breath."""
 
+    _cast: Playable
     _memories: Memories
 
     @property
@@ -27,7 +31,7 @@ class SceneMemories(SceneGoals):
         return self._memories.kept
 
     def keep_memory(self, name: str, *, key: str = "") -> None:
-        """Keeps what shows under a name: faces, expressions, head and gaze of all characters, light and framing.
+        """Keeps what shows under a name: faces, expressions, poses, head and gaze of all characters, light and framing.
 
         Channels, places, sources, black and what moves by itself are no part of it.
 
@@ -80,9 +84,9 @@ class SceneMemories(SceneGoals):
         >>> dict(scene.advance(0.0).characters["one"].frame.faces)
         {'dog': 1.0}
         """
-        parts = [
-            f"{other}/{part}" for other in seen._characters if not seen._standings[other].leaves for part in REMEMBERED
-        ]
+        remembered = (*REMEMBERED, *(REMEMBERED_OF_FIGURES if seen._cast.poses else ()))
+        stay = [other for other in seen._characters if not seen._standings[other].leaves]
+        parts = [f"{other}/{part}" for other in stay for part in remembered]
         goals = {part: seen._showing(part, points=False) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
         memory = Memory({part: goal for part, goal in goals.items() if goal != WITH_FACE})
         self._memories = with_memory(self._memories, name, memory, key or name)

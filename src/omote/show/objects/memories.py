@@ -28,8 +28,8 @@ MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY
 
 
 class KeepMemory(ClientMessage, frozen=True):
-    """Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, head and
-    gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
+    """Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, poses,
+    head and gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
     without one) takes that back. It is kept with the show. An `id` executes once, as of those below."""
 
     access = "operate"
@@ -51,7 +51,7 @@ class CallMemory(SceneCommand, frozen=True):
     """Brings a memory on air in `seconds`, all its parts in the same time, from whatever shows. Where others hold one
     of them, it is rejected whole; it holds none of them afterwards."""
 
-    plays = ("face", "expression", "head", "gaze", "light", "framing")
+    plays = ("face", "expression", "pose", "head", "gaze", "light", "framing")
     holds = False
     osc = (
         osc("memory", "brings the whole look of this name on air", "name", "seconds", of_show=True),

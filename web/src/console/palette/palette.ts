@@ -21,9 +21,11 @@ import { LookCarry } from "./look_carry";
 import { carryLook } from "./look_drag";
 import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
+import type { PoseTiles } from "./pose_tiles";
 import { expressionGroups, faceGroups, foundIn, isOwn, type PaletteTile, type TileGroup } from "./tile_groups";
 import type { MenuRequest } from "./tile_menu";
 import "../controls/timing_row";
+import "./pose_tiles";
 import "./region_row";
 
 const LABELS: Readonly<Record<PaletteKind, string>> = {
@@ -31,12 +33,14 @@ const LABELS: Readonly<Record<PaletteKind, string>> = {
   own: "Own",
   arkit: "ARKit",
   makehuman: "MakeHuman",
+  poses: "Poses",
   clips: "Clips",
 };
 const SEARCHED = {
   face: "faces by name or tag",
   expression: "expressions by name, region or tag",
   clips: "clips by name",
+  poses: "poses by name",
 } as const;
 /** Without a keyboard no key needs to be named. */
 const FINGERS = matchMedia("(pointer: coarse)");
@@ -49,6 +53,7 @@ export class Palette extends AnimatedElement {
   /** The face that the expressions are shown on. */
   @state() private model = "generic";
   @query(".tiles") private list!: HTMLElement;
+  @query("omote-pose-tiles") private poses!: PoseTiles | null;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
   readonly #model = new ModelFace("generic");
@@ -79,18 +84,18 @@ export class Palette extends AnimatedElement {
       : expressionGroups(this.store.expressions, this.kind);
   }
 
-  /** Motion clips stand in the place of expressions. */
-  get #isClips(): boolean {
-    return this.axis === "expression" && this.kind === "clips";
+  /** What stands in the place of expressions, if anything: motion clips, or poses of the figures. */
+  get #instead(): "clips" | "poses" | null {
+    if (this.axis === "face") return null;
+    return this.kind === "clips" || this.kind === "poses" ? this.kind : null;
   }
 
   /** Calls the tile at an index, as its hot key does. */
   callIndex(index: number): void {
-    if (this.#isClips) {
-      const clip = clipsFound(this.store, "")[index];
-      if (clip !== undefined) pressClip(this.store, clip);
-      return;
-    }
+    const clip = this.#instead === "clips" ? clipsFound(this.store, "")[index] : undefined;
+    if (clip !== undefined) pressClip(this.store, clip);
+    this.poses?.callIndex(index);
+    if (this.#instead !== null) return;
     const name = this.#keyed[index]?.name;
     if (name !== undefined) this.store.call(this.axis, name);
   }
@@ -100,11 +105,13 @@ export class Palette extends AnimatedElement {
   }
 
   override render() {
+    const instead = this.#instead;
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles" ?hidden=${this.#isClips} @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${this.#isClips ? nothing : this.#tiles()}</div>
-      ${this.#isClips ? html`<omote-clip-tiles .context=${this.context} .search=${this.search}></omote-clip-tiles>` : nothing}
-      ${this.axis === "face" ? nothing : html`<omote-regions .context=${this.context}></omote-regions>`}
+      <div class="tiles" ?hidden=${instead !== null} @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${instead === null ? this.#tiles() : nothing}</div>
+      ${instead === "clips" ? html`<omote-clip-tiles .context=${this.context} .search=${this.search}></omote-clip-tiles>` : nothing}
+      ${instead === "poses" ? html`<omote-pose-tiles .context=${this.context} .search=${this.search}></omote-pose-tiles>` : nothing}
+      ${this.axis === "face" || instead === "poses" ? nothing : html`<omote-regions .context=${this.context}></omote-regions>`}
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
   }
@@ -118,7 +125,7 @@ export class Palette extends AnimatedElement {
         (kind) => html`<button
           role="tab"
           data-kind=${kind}
-          aria-selected=${this.kind === kind && (this.search === "" || kind === "clips")}
+          aria-selected=${this.kind === kind && (this.search === "" || this.#instead !== null)}
           @click=${() => this.#open(kind)}
         >
           ${LABELS[kind]}
@@ -151,7 +158,7 @@ export class Palette extends AnimatedElement {
   }
 
   #searchField() {
-    const what = SEARCHED[this.#isClips ? "clips" : this.axis];
+    const what = SEARCHED[this.#instead ?? this.axis];
     return html`<input
       type="search"
       placeholder=${this.axis === "face" || FINGERS.matches ? "search" : "search /"}
@@ -257,16 +264,25 @@ export class Palette extends AnimatedElement {
 
   /** Enter in the search calls what is found first, the arrow leads to it. */
   readonly #searchKey = (event: KeyboardEvent): void => {
-    const [clip] = this.#isClips ? clipsFound(this.store, this.search) : [];
+    if (this.search.trim() === "" || event.isComposing) return;
     const [first] = this.shown;
-    if (this.search.trim() === "" || event.isComposing || (first === undefined && clip === undefined)) return;
-    if (this.#isClips && clip !== undefined && event.key === "Enter") pressClip(this.store, clip);
-    else if (first === undefined || this.#isClips) return;
+    if (this.#instead !== null) {
+      if (event.key === "Enter" && this.#callFound()) event.preventDefault();
+      return;
+    }
+    if (first === undefined) return;
     else if (event.key === "Enter") this.store.call(this.axis, first.name);
     else if (event.key === "ArrowDown") this.tiles[0]?.focus();
     else return;
     event.preventDefault();
   };
+
+  /** Plays the clip or calls the pose that is found first; false where none is. */
+  #callFound(): boolean {
+    const clip = this.#instead === "clips" ? clipsFound(this.store, this.search)[0] : undefined;
+    if (clip !== undefined) pressClip(this.store, clip);
+    return clip !== undefined || this.poses?.callFirst() === true;
+  }
 
   override firstUpdated(): void {
     onRoam(this.list, ".tile");

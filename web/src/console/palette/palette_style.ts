@@ -128,7 +128,8 @@ export const style = css`
   .tiles[hidden] {
     display: none;
   }
-  omote-clip-tiles {
+  omote-clip-tiles,
+  omote-pose-tiles {
     grid-area: tiles;
   }
   .tiles.more {

@@ -150,7 +150,7 @@ export class Monitor extends AnimatedElement {
 
   #draw(view: FaceView, scene: ScenePose, now: number): void {
     const pose = sceneKey(scene);
-    if (pose === this.#pose && view.settled && !this.#resized) return;
+    if (pose === this.#pose && view.still && !this.#resized) return;
     this.#last = now;
     this.#pose = pose;
     if (this.#resized) view.resize(this.clientWidth, this.clientHeight);

@@ -169,7 +169,7 @@ export class MemoryRow extends ConsoleElement {
       <span>Memory</span>
       ${placesOf(kept).map((name) => this.#key(name, kept.includes(name)))}
       <button class="means" aria-label="Keep a memory" aria-pressed=${this.means === "keep"}
-        title="The next place pressed keeps the whole look that shows: faces, expressions, head, gaze, light, framing (\\)"
+        title="The next place pressed keeps the whole look that shows: faces, expressions, poses, head, gaze, light, framing (\\)"
         @click=${this.keep}>Keep</button>
       <button class="means" aria-label="Delete a memory" aria-pressed=${this.means === "delete"}
         title="The next place pressed is emptied" @click=${() => this.#mean("delete")}>✕</button>

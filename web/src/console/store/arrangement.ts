@@ -7,7 +7,7 @@ import { REGIONS, type Region } from "./channels";
 import { LONGEST, type Timing } from "./timing";
 
 /** Which of the expressions a palette shows. */
-export const KINDS = ["performed", "own", "arkit", "makehuman", "clips"] as const;
+export const KINDS = ["performed", "own", "arkit", "makehuman", "poses", "clips"] as const;
 export type PaletteKind = (typeof KINDS)[number];
 /** Which faders are open. */
 export type BankTab = Region | "touched" | "macros";
