@@ -74,7 +74,7 @@ def bare_rows(cast: Cast) -> Mask:
 def test_figures_equal_the_python_of_bodies_poses_and_skinning(
     stage: Callable[..., Page], cast: Cast, level: str
 ) -> None:
-    """Mixes of faces, bodies and poses, regions that go their own way, an expression and a turned head."""
+    """Mixes of faces, bodies, poses, regions that go their own way, an expression, a turned head, breath, weight."""
     page = stage(f"?quality={level}&shot=full")
     rng = np.random.default_rng(34)
     bare = bare_rows(cast)
@@ -90,9 +90,10 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
         head = rng.uniform(-0.6, 0.6, 3).tolist()
         expressions = {"smile": 0.5, "neutral": 0.5}
         figure: Mapping[str, Any] = {"poses": poses, "regions": regions, "bodies": bodies}
-        hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure})
+        idle = rng.uniform((0.0, -1.0), 1.0).tolist()
+        hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure, "idle": idle})
         drawn = floats(page, "window.omoteStage.readFigure()").reshape(-1, 3)
-        wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, figure, head), axis=1)
+        wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, {**figure, "idle": idle}, head), axis=1)
         assert wrong[bare].max() < TOLERANCE, (figure, wrong.argmax())
 
 
@@ -111,7 +112,7 @@ def expected(
         omote.evaluate(cast, Frame(faces, worn)).astype(np.float64) for worn in (expressions, {"neutral": 1.0})
     )
     resting = resting_figure(figures, mixed_bodies(figure["bodies"], faces, figures.bodies), seen, still)
-    mixed = mix_poses(figures.poses, figure["poses"], figure["regions"], region_bones(skeleton))
+    mixed = mix_poses(figures.poses, figure["poses"], figure["regions"], region_bones(skeleton), figure["idle"])
     yaw, pitch, roll = head
     turn = Rotation.from_euler("YXZ", [yaw, -pitch, -roll]).as_rotvec()
     pose = MixedPose(turn_head(skeleton, mixed.turns, turn), mixed.travel, mixed.feet, mixed.feet_turns)

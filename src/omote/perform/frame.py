@@ -241,6 +241,10 @@ class CallStatus:
     start: Mapping[str, float]
 
 
+NO_IDLE = (0.0, 0.0)
+"""Of a figure that holds still: no breath, and its weight on both feet."""
+
+
 @dataclass(frozen=True)
 class FigureFrame:
     """The figure of a frame. poses: the mix, which sums to one; regions: those of the regions that show another;
@@ -339,7 +343,8 @@ class Frame:
     each is set, of those that are not 1. `complexion`: blood, tears and sweat as they show now; `drops`:
     the metres that these two have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those
     that are not 1.
-    `figure`: poses and bodies, None while the figure stands and each face has its own body.
+    `figure`: poses and bodies, None while the figure stands and each face has its own body; `idle`: how much of a
+    breath is in the chest, and how far the weight is on the left foot, as the automatic motion has it.
     """
 
     faces: Mapping[str, float]
@@ -373,6 +378,7 @@ class Frame:
     folds: float = 1.0
     skin: Mapping[str, float] = field(default_factory=dict)
     figure: FigureFrame | None = None
+    idle: tuple[float, float] = NO_IDLE
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -13,7 +13,7 @@ from omote.perform.body_playing import BodyPlaying
 from omote.perform.complexion import calm_skin
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.figures.figure_axes import advance_figure, figure_frame, halt_figure
-from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
+from omote.perform.frame import NO_IDLE, NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import RULES, LayerName, check_driven, check_layer, check_part
@@ -46,6 +46,7 @@ from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
+    figure_idle,
     is_free,
     is_moving,
     is_speaking,
@@ -715,4 +716,5 @@ def _frame(now: Snapshot, held: Held, macros: MacroVectors | None) -> Frame:
         spoken=now.spoken,
         macros=macro_statuses(now.mappings.kept, macros),
         figure=None if now.figure is None else figure_frame(now.figure),
+        idle=NO_IDLE if now.motion is None else figure_idle(now.motion),
     )

@@ -173,6 +173,7 @@ def character_state(
         macros={name: MacroState(macro.value, macro.share) for name, macro in frame.macros.items()},
         pads={name: PadPointState(list(point.place), point.plays) for name, point in frame.pads.items()},
         figure=None if frame.figure is None else figure_state(frame.figure),
+        idle=frame.idle,
     )
 
 

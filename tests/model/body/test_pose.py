@@ -11,7 +11,7 @@ from omote.model.body.pose import Pose
 def test_what_is_no_pose_is_rejected_and_one_is_frozen() -> None:
     still = np.zeros((4, 3))
     assert not Pose("still", still).turns.flags.writeable
-    assert Pose("small_bow", still).label == "small bow"
+    assert Pose("small_bow", still).label == "Small bow"
     wrongs = ({"turns": still + 4.0}, {"turns": np.zeros(4)}, {"travel": [0.0, 9.0, 0.0]}, {"feet": np.zeros((3, 3))})
     for wrong in (*wrongs, {"feet_turns": np.full((2, 3), np.inf)}, {"name": ""}):
         with pytest.raises(ValueError, match=r"turns|travel|feet|name"):

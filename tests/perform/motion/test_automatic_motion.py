@@ -21,6 +21,7 @@ from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
+    figure_idle,
     is_free,
     is_speaking,
     motion_frames,
@@ -126,6 +127,18 @@ def test_eyes_and_head_together_look_at_what_is_seen(yaw: float) -> None:
     assert shown.gaze is not None
     assert shown.head.yaw + shown.gaze.yaw == pytest.approx(yaw, abs=1e-3)
     assert abs(shown.gaze.yaw) < abs(yaw)
+
+
+def test_a_figure_breathes_with_the_face_and_shifts_its_weight_slowly_from_foot_to_foot() -> None:
+    moving = np.array([figure_idle(motion) for motion in play(PEOPLE, 60 * 600)])[120:]
+    breath, left = moving.T
+    assert 0.0 <= breath.min() < 0.01
+    assert 0.95 < breath.max() <= 1.0
+    assert -1.0 <= left.min() < -0.2
+    assert 0.2 < left.max() <= 1.0
+    assert np.abs(np.diff(left)).max() * 60 < 0.5, "a second"
+    assert 20 <= np.count_nonzero(np.diff(np.sign(left))) <= 200, "in ten minutes"
+    assert [figure_idle(motion) for motion in play(MotionSettings(0.0), 60)] == [(0.0, 0.0)] * 60
 
 
 def test_lids_lead_a_far_shift_of_the_gaze() -> None:

@@ -35,7 +35,7 @@ import { SHADOW_CENTRE, Shadow } from "./light/shadow";
 import { dropOf, placed, placeMatrix } from "./placement";
 import { complexionOf } from "./pose/complexion";
 import { headOf } from "./pose/head_answer";
-import { type Pose, STANDING, writeTurn } from "./pose/pose";
+import { NO_IDLE, type Pose, STANDING, writeTurn } from "./pose/pose";
 import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
@@ -448,6 +448,7 @@ export class DrawnCharacter {
     const { called, pose } = this;
     const call: FigureCall = {
       mix: called.figure ?? STANDING,
+      idle: called.idle ?? NO_IDLE,
       head: this.turn,
       faces: called.faces,
       sources: pose.faces,

@@ -80,6 +80,10 @@ export const DEFAULT_EASING = "smooth";
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 /** The parts of a figure that can do a pose of their own. */
 export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"] as const;
+/** The pose of a figure with a breath in its chest. */
+export const BREATH_IN = "breath_in";
+/** The poses of a figure whose weight is on its left foot, and on its right. */
+export const WEIGHT = ["weight_left", "weight_right"] as const;
 /** In a mix of bodies: those of the faces on air, by their weights. */
 export const FACES_OWN = "own";
 /** How much of figures a shot shows, from heads alone to all. */

@@ -23,6 +23,12 @@ export const showsFigures = (framings: readonly string[]): boolean =>
 /** The sizes that show figures. */
 export const FIGURE_SHOTS: readonly ShotSize[] = SHOT_SIZES.filter((size) => size !== PORTRAIT_SIZE);
 
+/** A mix of framings with all of its shots of one character. */
+export const framedAlone = (framing: Readonly<Record<string, number>>, name: string): Record<string, number> =>
+  Object.fromEntries(
+    weightsBy(framing, (key) => (sizeOf(key) === PORTRAIT_SIZE ? name : `${name}${FRAMING_SIZED}${sizeOf(key)}`)),
+  );
+
 /** The sum of the weights of a mix of framings by a key of theirs (`heldBy`, `sizeOf`). */
 export function weightsBy<Key extends string>(
   framing: Readonly<Record<string, number>>,

@@ -49,6 +49,11 @@ MOST_VERGENCE = 0.5
 EYE_RANGE = Turn(0.6, 0.38)
 """Radians (34 and 22 degrees) sideways and up that eyes turn in a head by themselves, less where they do both (Stahl
 2001, *Experimental Brain Research* 139: the customary range); the head brings what lies beyond."""
+_WEIGHT = NOISES + len(NOISE_HEAD)
+"""Which noise shifts the weight."""
+WEIGHT_SLOWER = 4.0
+"""Times: people who stand at ease shift their weight every 10 to 60 seconds (Duarte and Zatsiorsky 1999, *Motor
+Control* 3: 'shifting' in natural standing)."""
 MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
 
 
@@ -185,6 +190,14 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
         "gaze": _gaze_frame(motion, drawn),
         "blink": SourceFrame(lids, np.full(len(lids), shut), source=AUTOMATIC, direct=True),
     }
+
+
+def figure_idle(motion: AutomaticMotion) -> tuple[float, float]:
+    """How much of a breath is in the chest (0 to 1, more where it is set deeper), and how far the weight is on the left
+    foot, -1 to 1. motion: the character's."""
+    depth = motion.depth[1]
+    shift = depth * noise(motion.settings.seed, _WEIGHT, motion.time / WEIGHT_SLOWER)
+    return depth * air(motion.breath, motion.time), min(max(shift, -1.0), 1.0)
 
 
 def _gaze_frame(motion: AutomaticMotion, drawn: Head) -> SourceFrame:

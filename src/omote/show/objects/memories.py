@@ -29,8 +29,8 @@ MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY
 
 class KeepMemory(ClientMessage, frozen=True):
     """Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, poses,
-    head and gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
-    without one) takes that back. It is kept with the show. An `id` executes once, as of those below."""
+    head and gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key`
+    (the name without one) takes that back. It is kept with the show. An `id` executes once, as of those below."""
 
     access = "operate"
     method = ""

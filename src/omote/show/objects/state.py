@@ -10,7 +10,7 @@ import msgspec
 from omote.model.body.pose_regions import PoseRegion
 from omote.model.known_names import PlayRegion
 from omote.perform.complexion import SkinFader
-from omote.perform.frame import TargetKind
+from omote.perform.frame import NO_IDLE, TargetKind
 from omote.perform.layers.layer_names import LayerName
 from omote.perform.springs.cast_springs import SpringName
 from omote.show.declaration import ServerMessage
@@ -182,7 +182,8 @@ class CharacterState(msgspec.Struct, frozen=True):
     cheeks, nose, forehead, around the eyes and in the whole face, tears, sweat, and the metres that these have run;
     empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
     not 1.
-    `figure`: its poses and its body, `None` while it stands and each face has its own.
+    `figure`: its poses and its body, `None` while it stands and each face has its own; `idle`: how much of a breath is
+    in its chest, and how far its weight is on the left foot, -1..1.
     """
 
     faces: dict[str, float]
@@ -219,6 +220,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     folds: float = 1.0
     skin: dict[SkinFader, float] = {}
     figure: FigureState | None = None
+    idle: tuple[float, float] = NO_IDLE
 
 
 class State(ServerMessage, frozen=True):

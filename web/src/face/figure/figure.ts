@@ -26,6 +26,7 @@ import { placeOf } from "./skeleton";
 /** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source. */
 export interface FigureCall {
   readonly mix: FigureMix;
+  readonly idle: readonly [number, number];
   readonly head: readonly [number, number, number];
   readonly faces: Readonly<Record<string, number>>;
   readonly sources: Readonly<Record<string, number>>;
@@ -103,18 +104,18 @@ export class Figure {
   }
 
   /** Finds where its bones are; nothing where none of its bodies or faces is here. */
-  move({ mix, head, faces, sources }: FigureCall): void {
+  move({ mix, idle, head, faces, sources }: FigureCall): void {
     const wanted = [...mixedBodies(mix.bodies, faces, [...this.shared.bodies.keys()])];
     const worn = shown(wanted, this.bodies);
     const carried = shown(Object.entries(sources), this.necks);
     if (worn.length === 0 || carried.length === 0) return;
     const restKey = JSON.stringify([worn, carried]);
     if (restKey !== this.restKey) this.rest(worn, carried);
-    const poseKey = JSON.stringify([mix.poses, mix.regions, head]);
+    const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;
     [this.restKey, this.poseKey] = [restKey, poseKey];
     const { skeleton } = this.shared;
-    mixFigurePoses(this.library.poses, mix, skeleton, this.mixed);
+    mixFigurePoses(this.library.poses, mix, idle, skeleton, this.mixed);
     turnHead(skeleton, this.mixed, vectorOf(turnOf(head)));
     const resting = this.resting as RestingBones;
     this.posed = poseFigure(skeleton, resting, this.mixed);

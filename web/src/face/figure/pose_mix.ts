@@ -1,5 +1,6 @@
 /** The weighted sum of poses, as `perform.figures.pose_mix` has it. */
 
+import { BREATH_IN, WEIGHT } from "../../link/constants";
 import type { FigurePose } from "../../link/figures";
 import type { FigureMix } from "../pose/pose";
 import { regionOf, type Skeleton } from "./skeleton";
@@ -29,9 +30,11 @@ export const blankPose = ({ names }: Skeleton): MixedPose => ({
 export function mixFigurePoses(
   poses: ReadonlyMap<string, FigurePose>,
   { poses: whole, regions }: FigureMix,
+  idle: readonly [number, number],
   { names }: Skeleton,
   into: MixedPose,
 ): void {
+  const own = idleWeights(idle);
   into.turns.fill(0);
   names.forEach((bone, place) => {
     addScaled(poses, regions[regionOf(bone)] ?? whole, "turns", into.turns, 3 * place, 3);
@@ -40,7 +43,16 @@ export function mixFigurePoses(
     into[what].fill(0);
     addScaled(poses, regions.stance ?? whole, what, into[what], 0, into[what].length);
   }
+  for (const what of ["turns", "travel", "feet", "feetTurns"] as const)
+    addScaled(poses, own, what, into[what], 0, into[what].length);
 }
+
+/** The weights of the poses that a figure does by itself: it breathes, and shifts its weight. */
+const idleWeights = ([breath, left]: readonly [number, number]): Weights => ({
+  [BREATH_IN]: breath,
+  [WEIGHT[0]]: Math.max(left, 0),
+  [WEIGHT[1]]: Math.max(-left, 0),
+});
 
 function addScaled(
   poses: ReadonlyMap<string, FigurePose>,

@@ -15,7 +15,12 @@ export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "c
     readonly folds?: number | undefined;
     /** What its figure does; without it, it stands with the bodies of its faces. */
     readonly figure?: FigureMix | null | undefined;
+    /** How much of a breath is in its chest, and how far its weight is on the left foot; without it, it holds still. */
+    readonly idle?: readonly [number, number] | undefined;
   };
+
+/** Of a figure that holds still. */
+export const NO_IDLE: readonly [number, number] = [0, 0];
 
 type Weights = Record<string, number>;
 type Regions = Pose["regions"];
@@ -33,10 +38,12 @@ export const poseKey = ({
   complexion,
   folds,
   figure,
+  idle,
 }: Pose): string =>
   JSON.stringify([
     ...[faces, expressions, regions, channels, added, head, eyes, light, complexion, folds],
     figure && [figure.poses, figure.regions, figure.bodies],
+    idle,
   ]);
 
 /** The pose at rest: one face, neutral. */
@@ -87,6 +94,12 @@ function mixFolds(from: Pose["folds"], to: Pose["folds"], part: number): Pose["f
 /** What a figure does that nobody has told anything. */
 export const STANDING: FigureMix = { poses: { stand: 1 }, regions: {}, bodies: { [FACES_OWN]: 1 } };
 
+function mixIdle(from: Pose["idle"], to: Pose["idle"], part: number): Pose["idle"] {
+  if (!from && !to) return to;
+  const [[breath, left], [later, leftLater]] = [from ?? NO_IDLE, to ?? NO_IDLE];
+  return [breath + part * (later - breath), left + part * (leftLater - left)];
+}
+
 function mixFigures(from: Pose["figure"], to: Pose["figure"], part: number): Pose["figure"] {
   if (!from && !to) return to;
   const [before, after] = [from ?? STANDING, to ?? STANDING];
@@ -114,6 +127,7 @@ export function mixPoses(from: Pose, to: Pose, part: number): Pose {
     complexion: mixComplexion(from.complexion, to.complexion, part),
     folds: mixFolds(from.folds, to.folds, part),
     figure: mixFigures(from.figure, to.figure, part),
+    idle: mixIdle(from.idle, to.idle, part),
   };
 }
 

@@ -1,6 +1,7 @@
 /** A scene: what a stage draws of all characters of a state. */
 
 import { FIRST_CHARACTER } from "../../link/constants";
+import { framedAlone } from "../../link/framings";
 import type { Place, State } from "../../link/messages";
 import { mixPoses, mixWeights, type Pose, poseKey } from "./pose";
 import type { Due } from "./timeline";
@@ -36,15 +37,17 @@ export function sceneIn(state: State, name?: string): ScenePose & Due {
     return { characters: Object.fromEntries(entries), framing, black, time, epoch };
   }
   const character = state.characters[name];
-  if (character === undefined) return { characters: {}, framing: { [name]: 1 }, black, time, epoch };
-  return { ...alone({ ...character, light }, name, character.presence), black, time, epoch };
+  const own = framedAlone(framing, name);
+  if (character === undefined) return { characters: {}, framing: own, black, time, epoch };
+  return { ...alone({ ...character, light }, name, character.presence), framing: own, black, time, epoch };
 }
 
 /** A scene of which the picture shows one character, also one that is off the stage. */
 export function closeUp(scene: ScenePose, name: string): ScenePose {
   const shown = scene.characters[name];
   if (shown === undefined) return scene;
-  return { ...scene, characters: { ...scene.characters, [name]: { ...shown, presence: 1 } }, framing: { [name]: 1 } };
+  const characters = { ...scene.characters, [name]: { ...shown, presence: 1 } };
+  return { ...scene, characters, framing: framedAlone(scene.framing, name) };
 }
 
 /** The same text for the same picture; black lies over it, and is none of it. */
