@@ -29,7 +29,7 @@ have them, hips half as far apart as they are broad, and the trunk's joints betw
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """Joints by name, feet on y = 0; bones: which of them is which bone of VRM, by its names; shift: what brings a point
+    """Joints by name, feet on y = 0; bones: which of them is which of VRM's, by its names; shift: what brings a point
     of the face to its place in the scene, metres; eyes: from the head's joint to between the eyes."""
 
     joints: Mapping[str, Joint]

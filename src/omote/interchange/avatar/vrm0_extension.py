@@ -111,7 +111,8 @@ def _first_person(vrm: Json, head: int) -> Json:
         "firstPersonBone": head,
         "firstPersonBoneOffset": dict(zip("xyz", gaze.get("offsetFromHeadBone", (0.0, 0.0, 0.0)), strict=True)),
         "meshAnnotations": [
-            {"mesh": annotation["node"] - 1, "firstPersonFlag": _capital(annotation["type"])} for annotation in annotated
+            {"mesh": annotation["node"] - 1, "firstPersonFlag": _capital(annotation["type"])}
+            for annotation in annotated
         ],
         "lookAtTypeName": "BlendShape",
     }

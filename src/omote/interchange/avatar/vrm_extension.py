@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-from omote.interchange.formats.rig import Position
 from omote.interchange.avatar.preset_expressions import UNITS, Overrides, Weights
 from omote.interchange.avatar.vrm_licence import LICENCE_URL, Terms
 from omote.interchange.formats.glb_writer import Json, Shape
+from omote.interchange.formats.rig import Position
 from omote.model.cast import Cast
 
 EXTENSION = "VRMC_vrm"

@@ -20,6 +20,9 @@ from omote.interchange.formats.file_names import GLB, NUMBERS, OBJ, USD, VRM
 from omote.interchange.formats.glb_rig import INFLUENCES, glb_of_rig
 from omote.interchange.formats.glb_writer import ExportScene, glb_bytes
 from omote.model.body.figure_space import BONES_OF_A_ROW
+from omote.model.cast import Cast
+from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.limits import check_known
 
 Files = dict[str, bytes]
 """The bytes of files, by their paths from the folder that they are written into; the first is the one that is named."""
@@ -73,10 +76,13 @@ def check_count(kind: str, expressions: Sequence[str], /) -> None:
         require_single(expressions)
 
 
-def check_body(kind: str, body: str, /) -> None:
-    """Refuses a figure in a kind without a skeleton, by ValueError. body: "" for the head alone."""
+def check_body(cast: Cast, kind: str, body: str, /) -> None:
+    """Refuses a figure in a kind without a skeleton, and a body that is not in the cast, by ValueError. body: its name,
+    `own` for each face's, "" for heads alone."""
     if body and kind not in (GLB, VRM, *USD):
         raise ValueError(f"a figure is written as GLB, VRM or USD, which have a skeleton; {kind} has none")
+    if body not in ("", FACES_OWN):
+        check_known(body, cast.bodies, "body")
 
 
 def encode_face(
@@ -99,7 +105,7 @@ def encode_face(
     name, or `own` for the face's; "" for the head alone.
     """
     name = f"{stem}{kind}"
-    check_body(kind, body)
+    check_body(context.cast, kind, body)
     if kind in NUMBERS:
         return {name: encode_deltas(measure_deltas(context.cast, face, poses), Path(name))}
     if kind == VRM:

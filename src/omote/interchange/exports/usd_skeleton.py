@@ -129,5 +129,7 @@ def bind_joints(mesh: Any, joints: SkeletonJoints, name: str, /) -> Any:
         return binding
     places, weights = strongest_weights(joints.weights[name], INFLUENCES)
     binding.CreateJointIndicesPrimvar(False, INFLUENCES).Set(Vt.IntArray.FromNumpy(places.astype(np.int32).ravel()))
-    binding.CreateJointWeightsPrimvar(False, INFLUENCES).Set(Vt.FloatArray.FromNumpy(weights.astype(np.float32).ravel()))
+    binding.CreateJointWeightsPrimvar(False, INFLUENCES).Set(
+        Vt.FloatArray.FromNumpy(weights.astype(np.float32).ravel())
+    )
     return binding

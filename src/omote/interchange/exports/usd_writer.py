@@ -2,8 +2,8 @@
 
 UsdSkel (OpenUSD, "Skinning a Skeleton", "Blend Shapes"): below a SkelRoot lie a skeleton (the head or a figure's bones,
 and a joint for each eyeball), an animation that holds one weight for each expression, and meshes bound to joints
-(`usd_skeleton`). A mesh names only the shapes that move it; each holds only the vertices that move. Surfaces are UsdPreviewSurface
-materials that show our painted pictures.
+(`usd_skeleton`). A mesh names only the shapes that move it; each holds only the vertices that move. Surfaces are
+UsdPreviewSurface materials that show our painted pictures.
 """
 
 from __future__ import annotations

@@ -83,7 +83,7 @@ class ExportedFigure:
     def shift(self) -> Points:
         """What brings a point of the face to its place in the scene, metres."""
         ankles = self.rest.joints[[self.space.skeleton.places[f"foot.{side}"] for side in SIDES]]
-        soles = self._worn(self._meshes[SHOES])[0][:, 1].min()
+        soles = self.worn(SHOES)[0][:, 1].min()
         return np.array([0.0, -soles, -ankles[:, 2].mean()])
 
     @cached_property
@@ -109,7 +109,9 @@ class ExportedFigure:
     def rig(self, shapes: Iterable[Shape], /) -> Rig:
         """The joints with all of these shapes on them, and the poses of the library. shapes: with those of the body."""
         given = {shape.name: shape for shape in shapes}
-        weights = {name: found for name, shape in given.items() if (found := self._weights(shape, given[SKIN])) is not None}
+        weights = {
+            name: found for name, shape in given.items() if (found := self._weights(shape, given[SKIN])) is not None
+        }
         motions = {name: self._motion(name) for name in self.figures.poses}
         return Rig(self.joints, self.inverse, weights, HEAD, motions)
 
@@ -118,10 +120,23 @@ class ExportedFigure:
         look = self.cast.looks[self.face]
         surfaces = {SUIT: CLOTH, HANDS: _bare(look), SHOES: LEATHER}
         moves = {name: self._follow(skin) for name, skin in skins.items()}
-        return [self._shape(name, self._meshes[name], surface, moves) for name, surface in surfaces.items()]
+        return [self._shape(name, self.meshes[name], surface, moves) for name, surface in surfaces.items()]
+
+    def worn(self, name: str, /) -> tuple[Points, Points]:
+        """Where suit, hands or shoes are in T-pose as stages draw them, in the face's frame, and their normals, (n, 3)
+        both."""
+        part = self.meshes[name]
+        rows = skin_figure(self.space, self.resting, self.rest).astype(np.float64)
+        welded = np.concatenate([self.cast.space.welded, np.arange(len(self.cast.space.welded), len(rows))])
+        corners = welded[np.concatenate([self.cast.space.triangles, self.space.triangles])]
+        upright = mesh.normals(rows, corners)[welded]
+        normals = _unit(part.blend @ upright)
+        points = part.blend @ rows + (part.blend @ self._parts.cloth)[:, None] * normals
+        rolled = (part.blend @ self._parts.rolled)[:, None]
+        return points, _unit(normals + 0.7 * rolled * [0.0, 1.0, 0.0])
 
     def _shape(self, name: str, part: BodyMesh, surface: Material, moves: Mapping[str, Points]) -> Shape:
-        points, normals = self._kept(part, *self._worn(part))
+        points, normals = self._kept(part, *self.worn(name))
         still = np.zeros(points.shape, np.float32)
         return Shape(
             name=name,
@@ -144,17 +159,6 @@ class ExportedFigure:
         moves[np.abs(moves).max(axis=1) < MOVES] = 0.0
         return moves
 
-    def _worn(self, part: BodyMesh) -> tuple[Points, Points]:
-        """Where a part is in T-pose as stages draw it, and its normals (n, 3)."""
-        rows = skin_figure(self.space, self.resting, self.rest).astype(np.float64)
-        welded = np.concatenate([self.cast.space.welded, np.arange(len(self.cast.space.welded), len(rows))])
-        corners = welded[np.concatenate([self.cast.space.triangles, self.space.triangles])]
-        upright = mesh.normals(rows, corners)[welded]
-        normals = _unit(part.blend @ upright)
-        points = part.blend @ rows + (part.blend @ self._parts.cloth)[:, None] * normals
-        rolled = (part.blend @ self._parts.rolled)[:, None]
-        return points, _unit(normals + 0.7 * rolled * [0.0, 1.0, 0.0])
-
     def _kept(self, part: BodyMesh, points: Points, normals: Points) -> tuple[Points, Points]:
         """Where vertices are kept, and their normals, so that linear blending brings them where they are in T-pose."""
         joints, weights = strongest_weights(part.blend @ self._rows, self.influences)
@@ -165,8 +169,8 @@ class ExportedFigure:
 
     def _weights(self, shape: Shape, skin: Shape) -> csr_array | None:
         """How much each joint moves each vertex of a shape; None of what hangs on the head's alone."""
-        if shape.name in self._meshes:
-            return csr_array(self._meshes[shape.name].blend @ self._rows)
+        if shape.name in self.meshes:
+            return csr_array(self.meshes[shape.name].blend @ self._rows)
         if shape.name == SKIN:
             rows = shape.rows
         elif shape.name == HAIR:
@@ -203,10 +207,10 @@ class ExportedFigure:
         return suit_parts(self.space, first, face)
 
     @cached_property
-    def _meshes(self) -> dict[str, BodyMesh]:
-        """The figure below the roll at the neck, cut where hands and shoes begin."""
+    def meshes(self) -> dict[str, BodyMesh]:
+        """Suit, hands and shoes: the figure below the roll at the neck, cut where hands and shoes begin."""
         parts = self._parts
-        whole = _whole_mesh(self.space, self.cast.space.skin_triangles, parts.height)
+        whole = _whole_mesh(self.space, self.cast.space.triangles, parts.height)
         below = _cut(whole, parts.height, ROLL)[0]
         clad, hands = _cut(below, parts.hand, 0.5)
         suit, shoes = _cut(clad, parts.shoe, 0.5)

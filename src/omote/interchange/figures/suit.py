@@ -24,8 +24,8 @@ ROUNDS = 48
 FLAT_ROUNDS = 60
 CLOSE = 0.008
 APART = 0.012
-"""Steps in which rows that lie closer than others become flat; metres between neighbours up to which all of them do, and
-from which on none."""
+"""Steps in which rows that lie closer than others become flat; metres between neighbours up to which all of them do,
+and from which on none."""
 SHOE_ROUNDS = 16
 SPANNED = ("root", "spine", "pelvis", "upperleg01")
 TOES = ("toes",)
@@ -113,7 +113,7 @@ def _spacing(middles: csr_array, points: Points) -> Values:
     """The mean distance (B,) of each row from its neighbours, metres."""
     near = middles.tocoo()
     lengths = np.linalg.norm(points[near.row] - points[near.col], axis=1)
-    return np.bincount(near.row, near.data * lengths, minlength=len(points))
+    return np.asarray(np.bincount(near.row, near.data * lengths, minlength=len(points)), np.float64)
 
 
 def _smooth(points: Points, shares: Values, middles: csr_array, steps: Iterable[float]) -> Points:

@@ -61,7 +61,7 @@ def _arm(side: str) -> dict[tuple[str, ...], Values]:
     hand = frame(out, AHEAD) @ frame(hanging(*HAND, side), thumb).T
     x, y, z, w = Rotation.from_matrix(hand @ fore.T).as_quat()
     twist = 2.0 * math.atan2(float(np.dot([x, y, z], out)), float(w))
-    turns = {("upperarm01", "upperarm02"): upper}
+    turns: dict[tuple[str, ...], Values] = {("upperarm01", "upperarm02"): upper}
     for name, share in TWIST.items():
         turns[(name,)] = Rotation.from_rotvec(share * twist * out).as_matrix() @ fore
     return turns | {("wrist", *(f"metacarpal{number}" for number in range(1, FINGERS))): hand}

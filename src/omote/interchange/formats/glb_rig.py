@@ -31,8 +31,8 @@ STILL = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class Binding:
-    """How the vertices of a mesh hang on joints: their places among those of the skin (n, 4), and weights (n, 4) of 8 or
-    16 bits, which sum to the most that these can say."""
+    """How the vertices of a mesh hang on joints: their places among those of the skin (n, 4), and weights (n, 4) of 8
+    or 16 bits, which sum to the most that these can say."""
 
     joints: NDArray[np.uint8]
     weights: NDArray[np.unsignedinteger]
@@ -125,9 +125,7 @@ def _carry_meshes(document: Json, rig: Rig, nodes: Mapping[str, int], bound: Map
     top = document["scenes"][0]
     carrier = next(joint for joint in rig.joints if joint.name == rig.carrier)
     carried = [
-        place
-        for place in top["nodes"][1:]
-        if document["meshes"][document["nodes"][place]["mesh"]]["name"] not in bound
+        place for place in top["nodes"][1:] if document["meshes"][document["nodes"][place]["mesh"]]["name"] not in bound
     ]
     top["nodes"] = [place for place in top["nodes"] if place not in carried]
     document["nodes"][nodes[rig.carrier]].setdefault("children", []).extend(carried)

@@ -68,7 +68,7 @@ def strongest_weights(weights: csr_array, count: int, /) -> tuple[Indices, Value
     whole = weights.toarray()
     joints = np.argsort(-whole, axis=1, kind="stable")[:, :count]
     kept = np.take_along_axis(whole, joints, axis=1)
-    return np.where(kept > 0.0, joints, 0), kept / kept.sum(axis=1, keepdims=True)
+    return np.where(kept > 0.0, joints, 0).astype(np.int32), kept / kept.sum(axis=1, keepdims=True)
 
 
 def whole_weights(weights: Values, most: int, /) -> Indices:
@@ -76,4 +76,4 @@ def whole_weights(weights: Values, most: int, /) -> Indices:
     first."""
     whole = np.rint(most * weights).astype(np.int64)
     whole[:, 0] += most - whole.sum(axis=1)
-    return whole
+    return whole.astype(np.int32)
