@@ -10,6 +10,7 @@ import pytest
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.fold_overlays import PARTS, PREFIX
+from omote.interchange.avatar.humanoid_figure import humanoid_bones
 from omote.interchange.avatar.humanoid_skeleton import build_skeleton
 from omote.interchange.avatar.preset_expressions import PRESETS
 from omote.interchange.avatar.vrm_licence import TERMS, Credit, parse_terms
@@ -132,11 +133,6 @@ def test_khronos_and_three_take_the_built_in_faces(face: str, tmp_path: Path) ->
 
 
 WORN = ("neutral", "joy", "jawOpen", "eyeBlinkLeft", "eyeLookUpLeft", "eyeLookDownLeft", "eyeLookOutLeft")
-TRUNK = {"spine": "hips", "chest": "spine", "upperChest": "chest", "neck": "upperChest", "head": "neck"}
-LIMBS = {
-    "Shoulder": "upperChest", "UpperArm": "Shoulder", "LowerArm": "UpperArm", "Hand": "LowerArm",
-    "UpperLeg": "hips", "LowerLeg": "UpperLeg", "Foot": "LowerLeg", "Toes": "Foot",
-}  # fmt: skip
 
 
 def test_a_figure_is_a_true_humanoid_on_its_soles_in_both_versions(tmp_path: Path) -> None:
@@ -152,7 +148,7 @@ def test_a_figure_is_a_true_humanoid_on_its_soles_in_both_versions(tmp_path: Pat
     check_vrm(file.document)
     vrm = file.document["extensions"]["VRMC_vrm"]
     bones = {name: bone["node"] for name, bone in vrm["humanoid"]["humanBones"].items()}
-    _check_hierarchy(file, bones)
+    assert {name: file.nodes[node]["name"] for name, node in bones.items()} == humanoid_bones()
     places = file.worlds()[:, :3, 3]
     for side, out in (("left", 1.0), ("right", -1.0)):
         for first, second in (("UpperArm", "LowerArm"), ("LowerArm", "Hand"), ("IndexProximal", "IndexDistal")):
@@ -169,23 +165,3 @@ def test_a_figure_is_a_true_humanoid_on_its_soles_in_both_versions(tmp_path: Pat
     named = {bone["bone"]: bone["node"] for bone in old.document["extensions"]["VRM"]["humanoid"]["humanBones"]}
     assert named["leftThumbProximal"] == bones["leftThumbMetacarpal"]
     assert named["leftThumbIntermediate"] == bones["leftThumbProximal"]
-
-
-def _check_hierarchy(file: SkinnedFile, bones: dict[str, int]) -> None:
-    """Each bone lies below the one that VRM has above it, with none of its bones between."""
-    above = {child: place for place, node in enumerate(file.nodes) for child in node.get("children", [])}
-    parents = dict(TRUNK)
-    for side in ("left", "right"):
-        limbs = {f"{side}{name}": parent for name, parent in LIMBS.items()}
-        parents |= {name: f"{side}{parent}" if parent in LIMBS else parent for name, parent in limbs.items()}
-        for finger in ("Thumb", "Index", "Middle", "Ring", "Little"):
-            first, second = ("Metacarpal", "Proximal") if finger == "Thumb" else ("Proximal", "Intermediate")
-            parents |= {f"{side}{finger}{first}": f"{side}Hand", f"{side}{finger}{second}": f"{side}{finger}{first}"}
-            parents[f"{side}{finger}Distal"] = f"{side}{finger}{second}"
-    assert bones.keys() == {"hips", *parents}
-    names = {node: name for name, node in bones.items()}
-    for name, parent in parents.items():
-        place = above[bones[name]]
-        while place not in names:
-            place = above[place]
-        assert names[place] == parent

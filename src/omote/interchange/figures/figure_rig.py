@@ -106,14 +106,12 @@ class ExportedFigure:
         matrices[:, :3, 3] = away - self.rest.turns @ self.shift
         return matrices
 
-    def rig(self, shapes: Iterable[Shape], /) -> Rig:
-        """The joints with all of these shapes on them, and the poses of the library. shapes: with those of the body."""
+    def rig(self, shapes: Iterable[Shape], /, poses: Iterable[str] = ()) -> Rig:
+        """The joints with shapes of the scene on them, the skin among these, and poses. poses: by name."""
         given = {shape.name: shape for shape in shapes}
-        weights = {
-            name: found for name, shape in given.items() if (found := self._weights(shape, given[SKIN])) is not None
-        }
-        motions = {name: self._motion(name) for name in self.figures.poses}
-        return Rig(self.joints, self.inverse, weights, HEAD, motions)
+        found = {name: self._weights(shape, given[SKIN]) for name, shape in given.items()}
+        weights = {name: each for name, each in found.items() if each is not None}
+        return Rig(self.joints, self.inverse, weights, HEAD, {name: self.motion(name) for name in poses})
 
     def body_shapes(self, skins: Mapping[str, Points], /) -> list[Shape]:
         """Suit, hands and shoes, in the face's frame; skins: the head's skin (V, 3) in each expression, by name."""
@@ -182,8 +180,8 @@ class ExportedFigure:
             return None  # a part of the head
         return csr_array(self._rows[rows])
 
-    def _motion(self, name: str) -> Motion:
-        """A pose of the library on this body."""
+    def motion(self, name: str, /) -> Motion:
+        """A pose of the library on this body. name: the pose's."""
         posed = pose_figure(self.space, self.resting, mix_poses(self.figures.poses, {name: 1.0}, {}, {}))
         turns = posed.turns @ np.swapaxes(self.rest.turns, 1, 2)
         parents = self.space.skeleton.parents[1:]

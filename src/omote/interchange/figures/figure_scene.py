@@ -37,7 +37,7 @@ def build_figure_scene(
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     shapes += [_stand(shape, figure) for shape in figure.body_shapes(skins)]
     extras = {**bare.extras, "body": figure.body.name, "size": figure.body.size}
-    return replace(bare, shapes=shapes, extras=extras, rig=figure.rig(shapes))
+    return replace(bare, shapes=shapes, extras=extras, rig=figure.rig(shapes, figure.figures.poses))
 
 
 def _stand(shape: Shape, figure: ExportedFigure) -> Shape:

@@ -62,7 +62,8 @@ class SuitParts:
 
 
 def suit_parts(space: FigureSpace, body: Body, face: Points, /) -> SuitParts:
-    """Which rows are of hands and shoes, and how high they lie above the rim. body, face (V, 3): the generic ones."""
+    """Which rows are of hands and shoes, and how high they lie above the rim. space: of bodies; body, face (V, 3): the
+    generic ones."""
     places = np.concatenate([face, body.positions])
     rim = places[space.rim_rows]
     slope, level = np.polyfit(rim[:, 2], rim[:, 1], 1)

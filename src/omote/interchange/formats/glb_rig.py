@@ -66,7 +66,7 @@ def glb_of_rig(scene: ExportScene, rig: Rig, /) -> bytes:
 
 
 def bind_strongest(rig: Rig, name: str, /) -> Binding:
-    """The joints that move each vertex of a mesh most. name: the mesh's."""
+    """The joints that move each vertex of a mesh most. rig, name: the mesh's."""
     joints, weights = strongest_weights(rig.weights[name], INFLUENCES)
     whole = whole_weights(weights, np.iinfo(np.uint16).max)
     return Binding(np.where(whole > 0, joints, 0).astype(np.uint8), whole.astype(np.uint16))

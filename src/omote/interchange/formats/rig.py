@@ -72,8 +72,10 @@ def strongest_weights(weights: csr_array, count: int, /) -> tuple[Indices, Value
 
 
 def whole_weights(weights: Values, most: int, /) -> Indices:
-    """Weights (n, k) that fall and sum to one as whole numbers that sum to `most`: what rounding leaves goes to the
-    first."""
+    """Weights as whole numbers that sum to `most`: what rounding leaves goes to the first.
+
+    weights (n, k): which fall and sum to one; most: what stands for one.
+    """
     whole = np.rint(most * weights).astype(np.int64)
     whole[:, 0] += most - whole.sum(axis=1)
     return whole.astype(np.int32)
