@@ -2,7 +2,7 @@
 
 Programs blend bones linearly, which strays the farther from a stage the more a joint turns. So vertices are kept where
 the body was modelled, arms half down, and corrected so that the T-pose, in which the file rests, is the stage's own: in
-the poses of the library the skin is three times nearer to a stage's than from vertices in T-pose.
+the poses of the library the skin is more than twice as near to a stage's as from vertices in T-pose.
 """
 
 from __future__ import annotations
