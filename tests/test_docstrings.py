@@ -315,6 +315,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("draw_stimuli", OSError): lambda: omote.draw_stimuli(nowhere, "out"),
         ("evaluate", ValueError): lambda: omote.evaluate(cast, frame, words),
         ("evaluate", TypeError): lambda: omote.evaluate(cast, mixed),
+        ("evaluate_figure", ValueError): lambda: omote.evaluate_figure(replace(cast, figures=None), mixed),
         ("evaluate_parts", ValueError): lambda: omote.evaluate_parts(cast, frame, words),
         ("evaluate_parts", TypeError): lambda: omote.evaluate_parts(cast, mixed),
         ("extract", ValueError): lambda: omote.extract(space, kaori, np.zeros((2, 3))),

@@ -94,6 +94,23 @@ def test_a_face_is_written_for_other_programs(tmp_path: Path, ending: str) -> No
     assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == before
 
 
+def test_a_face_is_written_on_its_own_body_or_on_another(tmp_path: Path) -> None:
+    heights = {}
+    for words in (["--figure"], ["--body", "child"]):
+        path = tmp_path / "kaori.glb"
+        given = ["export", "kaori", "-o", str(path), "--expressions", "neutral", "--no-hair", "--force", *words]
+        done = runner.invoke(app, given)
+        assert done.exit_code == 0, done.output
+        assert f"kaori on {'its body' if words == ['--figure'] else 'the body child'}, " in done.stderr
+        points = {piece.name: piece.points for piece in read_glb(path.read_bytes())}
+        assert points["shoes"][:, 1].min() == pytest.approx(0.0, abs=1e-4)
+        heights[words[-1]] = points["skin"][:, 1].max()
+    assert 1.6 < heights["--figure"] < 1.9
+    assert heights["child"] < heights["--figure"] - 0.2
+    refused = runner.invoke(app, ["export", "kaori", "-o", str(tmp_path / "kaori.obj"), "--figure"])
+    assert "a figure is written as GLB, VRM or USD" in refused.stderr
+
+
 def test_a_single_obj_is_the_face_at_rest_unless_an_expression_is_named(tmp_path: Path) -> None:
     assert runner.invoke(app, ["export", "dog", "-o", str(tmp_path / "dog.obj")]).exit_code == 0
     pieces = read_obj_pieces((tmp_path / "dog.obj").read_bytes())

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from omote.perform.cues.cue import Move as Move
     from omote.perform.cues.cue_action import CueAction as CueAction
     from omote.perform.cues.cue_player import CuePlayer as CuePlayer
+    from omote.perform.figures.evaluate_figure import evaluate_figure as evaluate_figure
     from omote.perform.mappings.mapping import HalfBelow as HalfBelow
     from omote.perform.mappings.mapping import MacroCondition as MacroCondition
     from omote.perform.mappings.mapping import MacroMapping as MacroMapping
@@ -96,6 +97,7 @@ _HOMES = {
     "connect_async": "omote.client.connect",
     "draw_stimuli": "omote.server.headless.stimulus_run",
     "evaluate": "omote.perform.blending.evaluate",
+    "evaluate_figure": "omote.perform.figures.evaluate_figure",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",
     "fit": "omote.builtin.own_face",

@@ -27,7 +27,8 @@ MOST_JOBS = 256
 STOPPED = "stopped; what is written stays, and the same command goes on from there."
 ARKIT = "arkit"
 NEUTRAL = "neutral"
-KINDS = "all", "own"
+OWN = "own"
+KINDS = "all", OWN
 """Instead of the names of faces."""
 
 
@@ -45,6 +46,8 @@ def export(
         ),
     ] = "",
     hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
+    figure: Annotated[bool, typer.Option("--figure", help="The head on the face's own body: GLB, VRM, USD.")] = False,
+    body: Annotated[str, typer.Option(help="The head on this body: heavy, child.")] = "",
     author: Annotated[list[str] | None, typer.Option(help="Of a VRM: who made it; again for others.")] = None,
     licence: Annotated[
         list[str] | None,
@@ -63,32 +66,34 @@ def export(
     ] = 0,
     on: Annotated[str, typer.Option("--on", metavar="ADDRESS", help="A Dask cluster: tcp://host:8786.")] = "",
 ) -> None:
-    """Writes faces with expressions: as heads (GLB, VRM, USD, OBJ), or as what each moves in numbers (NPZ, CSV)."""
+    """Writes faces with expressions: as heads (GLB, VRM, USD, OBJ) or figures, or as what each moves (NPZ, CSV)."""
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded: each process has one core
     several = bool(every or faces or form or on)
+    body = body or (OWN if figure else "")
     credit = read_credit(form if several else output.suffix, author or [], licence or [], older=older)
     if several:
         if bool(face) == bool(every or faces):
             fail("name one face (omote cast lists them), or --all, or some with --faces kaori,dog.")
         chosen = faces or face or "all"
         pool = on or jobs or count_cores()
-        options = ExportOptions(expressions, hair, show, force, credit)
+        options = ExportOptions(expressions, hair, show, force, credit, body)
         finish_folder(export_folder(output, chosen, form, options, pool))
     elif not face:
         fail("name a face (omote cast lists them), or --all and a folder.")
     else:
-        export_file(output, face, ExportOptions(expressions, hair, show, force, credit))
+        export_file(output, face, ExportOptions(expressions, hair, show, force, credit, body))
 
 
 @dataclass(frozen=True)
 class ExportOptions:
-    """What a person said of an export, of one file and of a folder alike."""
+    """What a person said of an export, of one file and of a folder alike; body: of figures, "" for heads."""
 
     expressions: str
     hair: bool
     show: Path | None
     force: bool
     credit: Credit | None
+    body: str = ""
 
 
 def read_credit(kind: str, authors: Sequence[str], licence: Sequence[str], *, older: bool) -> Credit | None:
@@ -124,7 +129,7 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
     from rich.progress import track
 
     from omote.interchange.export_face import named_compound_meshes
-    from omote.interchange.exports.export_formats import check_count, encode_face
+    from omote.interchange.exports.export_formats import check_body, check_count, encode_face
     from omote.interchange.name_choices import choose_expressions
     from omote.stage_data.full_cast import find_face
 
@@ -134,14 +139,17 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
         face = find_face(cast, None if inspection is None else inspection.stored, face)
         names = choose_expressions(cast, expressions)
         check_count(kind, names)
+        check_body(cast, kind, options.body)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
-        files = encode_face(shared_context(cast), face, poses, kind, output.stem, hair=options.hair, credit=credit)
+        named = face, poses, kind, output.stem
+        files = encode_face(shared_context(cast), *named, hair=options.hair, credit=credit, body=options.body)
         write_files(output, files, force=options.force)
     what = "expressions" if kind in (*NUMBERS, OBJ, VRM) else "morph targets"
     if credit is not None:
         say(credit.sentence(face))
-    say(f"{output}: {face}, {what}: {len(names)}, {sum(map(len, files.values())) / 1e6:.1f} MB")
+    on = f" on the body {options.body}" if options.body not in ("", OWN) else " on its body" if options.body else ""
+    say(f"{output}: {face}{on}, {what}: {len(names)}, {sum(map(len, files.values())) / 1e6:.1f} MB")
 
 
 def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection | None:
@@ -213,18 +221,20 @@ def export_folder(folder: Path, faces: str, form: str, options: ExportOptions, p
             raise NotADirectoryError(f"{folder} is a file; give the name of a folder")
         inspection = None if options.show is None else inspect_show(options.show)
         check_names(inspection, faces, options.expressions or ARKIT)
-        from omote.interchange.exports.export_formats import check_kind, find_kind
+        from omote.interchange.exports.export_formats import check_body, check_kind, find_kind
         from omote.interchange.name_choices import choose_expressions
         from omote.server.farm.export_run import ExportRun, run_export
 
         check_kind(kind := find_kind(form or "glb"), options.credit)
         cast = load_full_cast(inspection)
+        check_body(cast, kind, options.body)
         chosen = choose_faces(cast, inspection, faces)
         names = choose_expressions(cast, options.expressions or ARKIT)
         context = shared_context(cast)
         hair = options.hair
         force = options.force
-        run = ExportRun(context, folder, kind, chosen, names, hair, force, label_credit(options.credit, inspection))
+        credit = label_credit(options.credit, inspection)
+        run = ExportRun(context, folder, kind, chosen, names, hair, force, credit, options.body)
         with shown_progress(run) as report:
             return run_export(run, choose_pool(pool), report)
 

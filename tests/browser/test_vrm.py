@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -16,7 +17,19 @@ from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.preset_expressions import PRESETS, preset_weights
 from omote.interchange.avatar.vrm_licence import Credit, Version
 from omote.interchange.export_face import ExportContext
-from tests.browser.avatar_page import NEAR, PERFECT_SYNC, Meshes, blended, distances, on_air, open_avatar, worn
+from omote.interchange.figures.figure_rig import BODY
+from tests.browser.avatar_page import (
+    NEAR,
+    PERFECT_SYNC,
+    Meshes,
+    Points,
+    blended,
+    distances,
+    numbers,
+    on_air,
+    open_avatar,
+    worn,
+)
 
 pytestmark = pytest.mark.long
 
@@ -34,6 +47,11 @@ def as_exported(weights: Mapping[str, float]) -> Meshes:
     """Where Omote has the face on air; of `mouthClose` alone teeth are drawn in, as far as an open jaw needs, and what
     parts the lips for `tongueOut` is of the frame, not of a target."""
     return blended(FACE, weights) if weights in ({"mouthClose": 1.0}, {"tongueOut": 1.0}) else on_air(FACE, weights)
+
+
+def turn(page: Page, bone: str, angles: list[float]) -> None:
+    """Turns a bone of the avatar by its name in VRM, radians about x, y and z."""
+    page.evaluate("([bone, angles]) => window.avatar.turn(bone, angles)", [bone, angles])
 
 
 @pytest.fixture(scope="module")
@@ -117,9 +135,36 @@ def test_the_skeleton_stands_on_its_feet_and_carries_the_head(avatar: Page) -> N
     assert 0.0 < bones["leftFoot"][1] < 0.1 * bones["head"][1]
     assert bones["leftHand"][0] == -bones["rightHand"][0] > 0.0  # the character's left is +x, as it looks along +z
     assert low < bones["head"][1] < rest["skin"][:, 1].max()
-    avatar.evaluate("window.avatar.turnHead(Math.PI / 2)")
+    turn(avatar, "head", [0.0, math.pi / 2, 0.0])
     turned = worn(avatar, {})
-    avatar.evaluate("window.avatar.turnHead(0)")
+    turn(avatar, "head", [0.0, 0.0, 0.0])
     for mesh, points in rest.items():
         away = points - np.array(bones["head"], np.float32)
         np.testing.assert_allclose(turned[mesh] - bones["head"], away[:, [2, 1, 0]] * [1, 1, -1], atol=1e-5)
+
+
+def test_a_figure_hangs_its_arm_by_the_bone_of_the_upper_arm(browser: Browser, tmp_path: Path) -> None:
+    cast = load_cast()
+    names = ("neutral", "eyeLookUpLeft", "eyeLookDownLeft", "eyeLookOutLeft")
+    plain = replace(cast, expressions={name: cast.expressions[name] for name in names}, titles={})
+    path = tmp_path / "face.vrm"
+    context = ExportContext(plain, load_meshes(), load_mask())
+    path.write_bytes(vrm_bytes(context, "kaori", [], Credit(("Ann",)), body="heavy", hair=False))
+    with open_avatar(browser, path) as page:
+        rest = {mesh: points(page, mesh) for mesh in BODY}
+        shoulder = np.array(page.evaluate("window.avatar.bone('leftUpperArm')"))
+        turn(page, "leftUpperArm", [0.0, 0.0, -math.pi / 2])
+        hung = {mesh: points(page, mesh) for mesh in BODY}
+    left = rest["hands"][:, 0] > 0.0
+    away = (rest["hands"] - shoulder)[left]
+    down = np.column_stack([away[:, 1], -away[:, 0], away[:, 2]])
+    np.testing.assert_allclose(hung["hands"][left] - shoulder, down, atol=1e-4)
+    np.testing.assert_allclose(hung["hands"][~left], rest["hands"][~left], atol=1e-6)
+    np.testing.assert_allclose(hung["shoes"], rest["shoes"], atol=1e-6)
+    assert np.abs(rest["shoes"][:, 1].min()) < 1e-4
+    assert hung["suit"][:, 0].max() < rest["suit"][:, 0].max() - 0.2
+
+
+def points(page: Page, mesh: str) -> Points:
+    """Where three-vrm has the vertices of a mesh, (n, 3) metres."""
+    return numbers(page.evaluate("name => window.avatar.points(name)", mesh)).reshape(-1, 3)

@@ -8,15 +8,18 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.avatar.export_vrm import vrm_bytes
+from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.fold_overlays import PARTS, PREFIX
+from omote.interchange.avatar.humanoid_figure import humanoid_bones
 from omote.interchange.avatar.humanoid_skeleton import build_skeleton
 from omote.interchange.avatar.preset_expressions import PRESETS
 from omote.interchange.avatar.vrm_licence import TERMS, Credit, parse_terms
 from omote.interchange.export_face import REST, ExportContext, named_compound_meshes
+from omote.interchange.figures.figure_rig import BODY
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.space.face_fit import fit
 from tests import synthetic
+from tests.interchange.figures.skinned_files import SkinnedFile
 from tests.interchange.formats.scenes import taken_apart
 from tests.stage_data.heads import context, synthetic_cast
 from tools.gltf import inspect
@@ -127,3 +130,38 @@ def test_khronos_and_three_take_the_built_in_faces(face: str, tmp_path: Path) ->
     assert found["three"]["meshes"].keys() == {"skin", "collar", *cast.space.parts} | hair | folds
     emotions = [each.get("materialColorBinds") for each in vrm["expressions"]["preset"].values()]
     assert any(emotions)
+
+
+WORN = ("neutral", "joy", "jawOpen", "eyeBlinkLeft", "eyeLookUpLeft", "eyeLookDownLeft", "eyeLookOutLeft")
+
+
+def test_a_figure_is_a_true_humanoid_on_its_soles_in_both_versions(tmp_path: Path) -> None:
+    whole = load_cast()
+    cast = replace(whole, expressions={name: whole.expressions[name] for name in WORN}, titles={})
+    few = ExportContext(cast, load_meshes(), load_mask())
+    data = vrm_bytes(few, "dog", [], ANN, body="heavy", hair=False)
+    path = tmp_path / "figure.vrm"
+    path.write_bytes(data)
+    (found,) = inspect([path])
+    assert (found["validator"]["errors"], found["validator"]["warnings"]) == (0, 0)
+    file = SkinnedFile.of(data)
+    check_vrm(file.document)
+    vrm = file.document["extensions"]["VRMC_vrm"]
+    bones = {name: bone["node"] for name, bone in vrm["humanoid"]["humanBones"].items()}
+    assert {name: file.nodes[node]["name"] for name, node in bones.items()} == humanoid_bones()
+    places = file.worlds()[:, :3, 3]
+    for side, out in (("left", 1.0), ("right", -1.0)):
+        for first, second in (("UpperArm", "LowerArm"), ("LowerArm", "Hand"), ("IndexProximal", "IndexDistal")):
+            way = places[bones[f"{side}{second}"]] - places[bones[f"{side}{first}"]]
+            np.testing.assert_allclose(way / np.linalg.norm(way), [out, 0.0, 0.0], atol=0.03)
+    assert file.points("shoes")[:, 1].min() == pytest.approx(0.0, abs=2e-5)
+    seen = {file.nodes[each["node"]]["name"]: each["type"] for each in vrm["firstPerson"]["meshAnnotations"]}
+    assert {name for name, kind in seen.items() if kind == "both"} == set(BODY)
+    springs = file.document["extensions"]["VRMC_springBone"]["springs"]
+    assert [file.nodes[spring["joints"][0]["node"]]["name"] for spring in springs] == ["leftEar", "rightEar"]
+    old = SkinnedFile.of(vrm_bytes(few, "dog", [], Credit(("Ann",), version="0.x"), body="heavy", hair=False))
+    for mesh in ("skin", "eye_left", *BODY):
+        np.testing.assert_allclose(old.points(mesh), file.points(mesh) * TURNED, atol=1e-6)
+    named = {bone["bone"]: bone["node"] for bone in old.document["extensions"]["VRM"]["humanoid"]["humanBones"]}
+    assert named["leftThumbProximal"] == bones["leftThumbMetacarpal"]
+    assert named["leftThumbIntermediate"] == bones["leftThumbProximal"]

@@ -1,6 +1,7 @@
 """Ears of animals hang on joints that swing as VRM says; people have none."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -62,7 +63,8 @@ def test_a_small_swing_has_our_frequency_and_damping_at_the_rate_that_is_said() 
 
 
 def test_a_file_has_them_in_either_version_and_every_vertex_still_hangs_whole() -> None:
-    context = ExportContext(CAST, load_meshes(), load_mask())
+    few = replace(CAST, expressions={name: CAST.expressions[name] for name in ("neutral", "jawOpen")}, titles={})
+    context = ExportContext(few, load_meshes(), load_mask())
     document, binary = taken_apart(vrm_bytes(context, "dog", [], Credit(("Ann",)), hair=False))
     assert document["extensionsUsed"] == ["VRMC_vrm", "VRMC_springBone"]
     springs = document["extensions"]["VRMC_springBone"]["springs"]

@@ -75,9 +75,9 @@ def test_a_cast_whose_eyes_do_not_turn_has_no_gaze() -> None:
     assert describe_gaze(still, (0.0, 0.0, 0.0)) == {}
 
 
-def test_bones_are_nodes_and_a_head_does_not_see_itself() -> None:
+def test_bones_are_nodes_and_a_head_does_not_see_itself_but_its_body() -> None:
     assert describe_bones({"hips": 4, "head": 7}) == {"humanBones": {"hips": {"node": 4}, "head": {"node": 7}}}
-    assert describe_first_person([1, 2])["meshAnnotations"] == [
+    assert describe_first_person({1: True, 2: False})["meshAnnotations"] == [
         {"node": 1, "type": "thirdPersonOnly"},
-        {"node": 2, "type": "thirdPersonOnly"},
+        {"node": 2, "type": "both"},
     ]

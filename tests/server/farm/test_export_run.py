@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,8 @@ def test_what_is_whole_and_current_is_not_made_again(tmp_path: Path) -> None:
     assert run_export(make_run(tmp_path), pool_here, ignore).exported == []
     other = run_export(make_run(tmp_path, expressions=["smile", "jawOpen"]), pool_here, ignore)
     assert other.exported == FACES
+    keys = [replace(make_run(tmp_path), body=body).keys[FACES[0]] for body in ("", "own", "heavy")]
+    assert len(set(keys)) == len(keys)  # a head, and figures on other bodies, are made anew
 
 
 def test_what_fails_is_named_and_the_others_are_made(tmp_path: Path) -> None:

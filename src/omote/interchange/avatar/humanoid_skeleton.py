@@ -1,21 +1,18 @@
-"""A plain skeleton in T-pose for a head without a body, as tall as the head says; and meshes bound to it."""
+"""A plain skeleton in T-pose for a head without a body, as tall as the head says."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from omote.arrays import Points, Values
-from omote.interchange.formats.glb_writer import FLOAT, UNSIGNED_BYTE, VERTICES, Json, Store
+from omote.arrays import Points
+from omote.interchange.formats.rig import Joint, Position
 from omote.model.space.face_fit import FittedFace
 from omote.model.space.head_size import find_chin, find_crown
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.motion.sight import NECK_METRES
-
-Position = tuple[float, float, float]
 
 HEAD = 0.130
 EYES = 0.936
@@ -30,21 +27,13 @@ _LEG = (("UpperLeg", 0.050, 0.530), ("LowerLeg", 0.050, 0.285), ("Foot", 0.050, 
 have them, hips half as far apart as they are broad, and the trunk's joints between."""
 
 
-@dataclass(frozen=True)
-class Joint:
-    """A joint at rest: metres in the scene, and the name of its parent, which comes before it; "" for the root."""
-
-    name: str
-    place: Position
-    parent: str = ""
-
-
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """Joints by name, feet on y = 0; shift: what brings a point of the face to its place in the scene, metres;
-    eyes: from the head's joint to between the eyes."""
+    """Joints by name, feet on y = 0; bones: which of them is which of VRM's, by its names; shift: what brings a point
+    of the face to its place in the scene, metres; eyes: from the head's joint to between the eyes."""
 
     joints: Mapping[str, Joint]
+    bones: Mapping[str, str]
     shift: Points
     eyes: Position
 
@@ -61,12 +50,17 @@ def build_skeleton(space: ParameterSpace, fitted: FittedFace, /) -> Skeleton:
     """
     crown, chin = fitted.positions[[find_crown(space), find_chin(space)], 1].tolist()
     height = max(crown - chin, SMALLEST_HEAD_METRES) / HEAD
-    balls = [centre for name, centre in fitted.centres.items() if space.parts[name].eye]
-    middle: Points = np.array(balls or [np.zeros(3)], np.float64).mean(axis=0)
+    middle = eyes_middle(space, fitted)
     shift = np.array([0.0, EYES * height - middle[1], -NECK_METRES])
     joints = {joint.name: joint for joint in _joints(height)}
     ahead = middle + shift - joints["head"].place
-    return Skeleton(joints, shift, (0.0, float(ahead[1]), float(ahead[2])))
+    return Skeleton(joints, {name: name for name in joints}, shift, (0.0, float(ahead[1]), float(ahead[2])))
+
+
+def eyes_middle(space: ParameterSpace, fitted: FittedFace, /) -> Points:
+    """Where the middle between the eyeballs is, metres; the origin of a head without any. space, fitted: the face."""
+    balls = [centre for name, centre in fitted.centres.items() if space.parts[name].eye]
+    return np.asarray(np.array(balls or [np.zeros(3)], np.float64).mean(axis=0))
 
 
 def _joints(height: float) -> list[Joint]:
@@ -82,58 +76,3 @@ def _joints(height: float) -> list[Joint]:
                 joints.append(Joint(f"{side}{name}", (sign * across * height, up * height, 0.0), parent))
                 parent = f"{side}{name}"
     return joints
-
-
-def add_joints(document: Json, joints: Mapping[str, Joint], /) -> dict[str, int]:
-    """Puts joints under the root, node 0, and the meshes beside it, as bound ones have to stand: the nodes by name.
-
-    document: the glTF's, which changes; joints: parents first.
-    """
-    nodes: list[Json] = document["nodes"]
-    document["scenes"][0]["nodes"] += nodes[0].pop("children")
-    places: dict[str, int] = {}
-    for joint in joints.values():
-        above = nodes[places[joint.parent] if joint.parent else 0]
-        origin = joints[joint.parent].place if joint.parent else (0.0, 0.0, 0.0)
-        places[joint.name] = len(nodes)
-        above.setdefault("children", []).append(len(nodes))
-        step = [own - start for own, start in zip(joint.place, origin, strict=True)]
-        nodes.append({"name": joint.name, "translation": step})
-    return places
-
-
-def bind_meshes(
-    document: Json, store: Store, joints: Sequence[Joint], nodes: Sequence[int], shares: Mapping[str, Values], /
-) -> None:
-    """Binds every mesh of a document to joints, whose nodes are given; points are those of the scene.
-
-    document, store: the glTF and its numbers, which change; joints, nodes: the joints, four at most, and where they
-    stand in the document; shares: how much of each vertex hangs on each joint but the first, (n, joints - 1) by mesh,
-    which has the rest, and all of other meshes.
-    """
-    inverse = np.tile(np.eye(4, dtype="<f4"), (len(joints), 1, 1))
-    inverse[:, 3, :3] = [[-along for along in joint.place] for joint in joints]  # the file has column after column
-    form = {"componentType": FLOAT, "count": len(joints), "type": "MAT4"}
-    matrix = store.accessor({"bufferView": store.view(inverse.tobytes()), **form})
-    document["skins"] = [{"joints": [*nodes], "skeleton": nodes[0], "inverseBindMatrices": matrix}]
-    for place in document["scenes"][0]["nodes"][1:]:
-        bound = document["nodes"][place]
-        bound["skin"] = 0
-        mesh = document["meshes"][bound["mesh"]]
-        attributes = mesh["primitives"][0]["attributes"]
-        count = store.accessors[attributes["POSITION"]]["count"]
-        form = {"componentType": UNSIGNED_BYTE, "count": count, "type": "VEC4"}
-        weights = _weights(shares.get(mesh["name"], np.zeros((count, 0))))
-        numbers = np.where(weights > 0, np.arange(4, dtype=np.uint8), np.uint8(0))
-        hangs = store.view(numbers.tobytes(), VERTICES)
-        parts = store.view(weights.tobytes(), VERTICES)
-        attributes["JOINTS_0"] = store.accessor({"bufferView": hangs, **form})
-        attributes["WEIGHTS_0"] = store.accessor({"bufferView": parts, **form, "normalized": True})
-
-
-def _weights(shares: Values) -> NDArray[np.uint8]:
-    """The weights of four joints, (n, 4) of 255, the first with what the others leave. shares: of those, (n, k)."""
-    weights = np.zeros((len(shares), 4), np.uint8)
-    weights[:, 1 : 1 + shares.shape[1]] = np.rint(255.0 * shares)
-    weights[:, 0] = 255 - weights[:, 1:].sum(axis=1)
-    return weights

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.arrays import Points, Values
-from omote.interchange.avatar.humanoid_skeleton import Joint, Position
 from omote.interchange.formats.glb_writer import Json
+from omote.interchange.formats.rig import Joint, Position
 from omote.model.space.ears import ear_weights, find_ear
 from omote.model.space.face import Face
 from omote.model.space.gain import gain_of

@@ -18,6 +18,12 @@ PRESETS = {
 }  # fmt: skip
 """What 0.x calls the presets of 1.0; `surprised` is none there."""
 OTHER = "unknown"
+THUMBS = {
+    f"{side}Thumb{new}": f"{side}Thumb{old}"
+    for side in ("left", "right")
+    for new, old in (("Metacarpal", "Proximal"), ("Proximal", "Intermediate"))
+}
+"""What 0.x calls the bones of thumbs, which begin at the hand there too."""
 USERS = {
     "onlyAuthor": "OnlyAuthor",
     "onlySeparatelyLicensedPerson": "ExplicitlyLicensedPerson",
@@ -40,7 +46,9 @@ def describe_vrm0(vrm: Json, materials: Iterable[str], generator: str, /) -> Jso
     vrm: the JSON of 1.0; materials: their names, in order; generator: which program wrote it.
     """
     bones = vrm["humanoid"]["humanBones"]
-    joints = [{"bone": name, "node": bone["node"], "useDefaultValues": True} for name, bone in bones.items()]
+    joints = [
+        {"bone": THUMBS.get(name, name), "node": bone["node"], "useDefaultValues": True} for name, bone in bones.items()
+    ]
     presets = vrm["expressions"]["preset"]
     customs = vrm["expressions"]["custom"]
     named = list(materials)
@@ -103,7 +111,8 @@ def _first_person(vrm: Json, head: int) -> Json:
         "firstPersonBone": head,
         "firstPersonBoneOffset": dict(zip("xyz", gaze.get("offsetFromHeadBone", (0.0, 0.0, 0.0)), strict=True)),
         "meshAnnotations": [
-            {"mesh": annotation["node"] - 1, "firstPersonFlag": "ThirdPersonOnly"} for annotation in annotated
+            {"mesh": annotation["node"] - 1, "firstPersonFlag": _capital(annotation["type"])}
+            for annotation in annotated
         ],
         "lookAtTypeName": "BlendShape",
     }
@@ -111,6 +120,10 @@ def _first_person(vrm: Json, head: int) -> Json:
         reach = gaze.get(f"rangeMap{name}", {"inputMaxValue": 90.0, "outputScale": 0.0})
         view[f"lookAt{name}"] = {"curve": STRAIGHT, "xRange": reach["inputMaxValue"], "yRange": reach["outputScale"]}
     return view
+
+
+def _capital(word: str) -> str:
+    return word[0].upper() + word[1:]
 
 
 def _material(name: str) -> Json:

@@ -6,12 +6,12 @@ VRM Consortium, VRMC_vrm-1.0: https://github.com/vrm-c/vrm-specification/tree/ma
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from omote.interchange.avatar.humanoid_skeleton import Position
 from omote.interchange.avatar.preset_expressions import UNITS, Overrides, Weights
 from omote.interchange.avatar.vrm_licence import LICENCE_URL, Terms
 from omote.interchange.formats.glb_writer import Json, Shape
+from omote.interchange.formats.rig import Position
 from omote.model.cast import Cast
 
 EXTENSION = "VRMC_vrm"
@@ -98,6 +98,7 @@ def describe_bones(nodes: Mapping[str, int], /) -> Json:
     return {"humanBones": {name: {"node": node} for name, node in nodes.items()}}
 
 
-def describe_first_person(nodes: Iterable[int], /) -> Json:
-    """All is the head, which the eyes in it do not see."""
-    return {"meshAnnotations": [{"node": node, "type": "thirdPersonOnly"} for node in nodes]}
+def describe_first_person(heads: Mapping[int, bool], /) -> Json:
+    """What is of the head, the eyes in it do not see. heads: by the nodes of meshes, whether they are of it."""
+    annotations = [{"node": node, "type": "thirdPersonOnly" if head else "both"} for node, head in heads.items()]
+    return {"meshAnnotations": annotations}

@@ -15,8 +15,14 @@ from omote.interchange.export_deltas import encode_deltas, measure_deltas
 from omote.interchange.export_face import ExportContext, Meshes, build_scene, named_compound_meshes
 from omote.interchange.exports.obj_writer import obj_files, obj_folder, require_single
 from omote.interchange.exports.usd_writer import NEEDS_USD, check_usd, has_usd, usd_files
+from omote.interchange.figures.figure_scene import build_figure_scene
 from omote.interchange.formats.file_names import GLB, NUMBERS, OBJ, USD, VRM
+from omote.interchange.formats.glb_rig import INFLUENCES, glb_of_rig
 from omote.interchange.formats.glb_writer import ExportScene, glb_bytes
+from omote.model.body.figure_space import BONES_OF_A_ROW
+from omote.model.cast import Cast
+from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.limits import check_known
 
 Files = dict[str, bytes]
 """The bytes of files, by their paths from the folder that they are written into; the first is the one that is named."""
@@ -29,7 +35,7 @@ FORMATS = ("glb", "vrm", "usd", "usdc", "usda", "usdz", "obj", "npz", "csv")
 
 
 def _glb(scene: ExportScene, stem: str) -> Files:
-    return {f"{stem}{GLB}": glb_bytes(scene)}
+    return {f"{stem}{GLB}": glb_bytes(scene) if scene.rig is None else glb_of_rig(scene, scene.rig)}
 
 
 SCENES: Mapping[str, Encode] = {
@@ -70,6 +76,15 @@ def check_count(kind: str, expressions: Sequence[str], /) -> None:
         require_single(expressions)
 
 
+def check_body(cast: Cast, kind: str, body: str, /) -> None:
+    """Refuses a figure in a kind without a skeleton, and a body that is not in the cast, by ValueError. body: its name,
+    `own` for each face's, "" for heads alone."""
+    if body and kind not in (GLB, VRM, *USD):
+        raise ValueError(f"a figure is written as GLB, VRM or USD, which have a skeleton; {kind} has none")
+    if body not in ("", FACES_OWN):
+        check_known(body, cast.bodies, "body")
+
+
 def encode_face(
     context: ExportContext,
     face: str,
@@ -80,19 +95,25 @@ def encode_face(
     *,
     hair: bool = True,
     credit: Credit | None = None,
+    body: str = "",
 ) -> Files:
     """Encodes a face of the cast wearing each of some poses (`named_compound_meshes`, by name) as files named STEM.
 
     kind: an ending (.glb, .usdc, .obj, .npz), or OBJ_FOLDER; credit: of a VRM. ValueError where that cannot be.
 
-    context, face: of the cast; stem: of the files' names; hair: whether it comes along.
+    context, face: of the cast; stem: of the files' names; hair: whether it comes along; body: of a figure: a body's
+    name, or `own` for the face's; "" for the head alone.
     """
     name = f"{stem}{kind}"
+    check_body(context.cast, kind, body)
     if kind in NUMBERS:
         return {name: encode_deltas(measure_deltas(context.cast, face, poses), Path(name))}
     if kind == VRM:
         own = context.cast.faces.get(face) is not builtin.load_cast().faces.get(face)
-        return {name: vrm_bytes(context, face, poses, credit or Credit(()), own=own, hair=hair)}
+        return {name: vrm_bytes(context, face, poses, credit or Credit(()), own=own, hair=hair, body=body)}
+    if body:
+        most = INFLUENCES if kind == GLB else BONES_OF_A_ROW
+        return SCENES[kind](build_figure_scene(context, face, body, poses, hair=hair, influences=most), stem)
     return SCENES[kind](build_scene(context, face, poses, hair=hair, drawn=kind not in (OBJ, OBJ_FOLDER)), stem)
 
 
@@ -117,10 +138,11 @@ def bake_face(
     *,
     hair: bool = True,
     credit: Credit | None = None,
+    body: str = "",
 ) -> Files:
     """Computes what a face of the cast wears, by the names of expressions, and encodes it as `encode_face` does.
 
-    context, face, expressions: by name; kind, stem, hair, credit: as of `encode_face`.
+    context, face, expressions: by name; kind, stem, hair, credit, body: as of `encode_face`.
     """
     poses = ((name, named_compound_meshes(context.cast, face, name)) for name in expressions)
-    return encode_face(context, face, poses, kind, stem, hair=hair, credit=credit)
+    return encode_face(context, face, poses, kind, stem, hair=hair, credit=credit, body=body)

@@ -1,9 +1,9 @@
 """Writes USD: a face as a UsdSkel character whose blend shapes are the morph targets of its scene.
 
-UsdSkel (OpenUSD, "Skinning a Skeleton", "Blend Shapes"): below a SkelRoot lie a skeleton (the head, and a joint for
-each eyeball), an animation that holds one weight for each expression, and meshes bound rigidly to one joint each. A
-mesh names only the shapes that move it; each holds only the vertices that move. Surfaces are UsdPreviewSurface
-materials that show our painted pictures.
+UsdSkel (OpenUSD, "Skinning a Skeleton", "Blend Shapes"): below a SkelRoot lie a skeleton (the head or a figure's bones,
+and a joint for each eyeball), an animation that holds one weight for each expression, and meshes bound to joints
+(`usd_skeleton`). A mesh names only the shapes that move it; each holds only the vertices that move. Surfaces are
+UsdPreviewSurface materials that show our painted pictures.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.exports.identifiers import identifiers
+from omote.interchange.exports.usd_skeleton import SkeletonJoints, add_poses, add_skeleton, bind_joints, find_joints
 from omote.interchange.formats.glb_writer import GENERATOR, ROWS, ExportScene, Material, MorphTarget, Shape
 
 Files = dict[str, bytes]
@@ -26,8 +27,6 @@ Files = dict[str, bytes]
 COORDINATES = "st"
 """The primvar that holds texture coordinates, as all programs read it."""
 NEEDS_USD = 'USD is written with the package usd-core: pip install "omote[usd]", or export GLB (.glb)'
-HEAD = "head"
-SKELETON = "skeleton"
 _MADE = 320000000
 """Seconds since 1970: in 1980, where the calendar of ZIP begins."""
 ORIGINAL = "omote:name"
@@ -132,13 +131,17 @@ def build_stage(scene: ExportScene, stem: str, /) -> Any:
     root = UsdSkel.Root.Define(stage, top)
     _describe(stage, root.GetPrim(), scene)
     names = identifiers(scene.shapes[0].targets if scene.shapes else [])
-    joints = _skeleton(stage, top, scene, list(names.values()))
+    joints = find_joints(scene)
+    add_skeleton(stage, top, joints, list(names.values()))
+    if scene.rig is not None:
+        for pose, prim in add_poses(stage, top, joints, scene.rig.motions).items():
+            _name(prim, pose)
     surfaces = _surfaces(stage, top, scene, stem)
     boxes = [_box(shape) for shape in scene.shapes] or [np.zeros((2, 3), np.float32)]
     for shape, box in zip(scene.shapes, boxes, strict=False):
         mesh = _mesh(stage, top, shape, box)
         UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(surfaces[id(shape.material)])
-        _bind(stage, mesh, shape, joints.get(shape.name, 0), names)
+        _bind(stage, mesh, shape, joints, names)
     UsdGeom.Boundable(root).CreateExtentAttr(_extent(np.stack([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])))
     return stage
 
@@ -181,30 +184,6 @@ def _name(prim: Any, name: str) -> None:
     prim.SetCustomDataByKey(ORIGINAL, name)
 
 
-def _skeleton(stage: Any, top: str, scene: ExportScene, expressions: list[str]) -> dict[str, int]:
-    """The skeleton and the animation that rests in it; the number of each eyeball's joint, by the mesh's name."""
-    from pxr import Gf, UsdSkel, Vt
-
-    eyes = [shape for shape in scene.shapes if any(shape.place)]
-    paths = Vt.TokenArray([HEAD, *(f"{HEAD}/{shape.name}" for shape in eyes)])
-    places = [Gf.Vec3f(0.0), *(Gf.Vec3f(*shape.place) for shape in eyes)]
-    still = Vt.Matrix4dArray([Gf.Matrix4d().SetTranslate(Gf.Vec3d(place)) for place in places])
-    skeleton = UsdSkel.Skeleton.Define(stage, f"{top}/{SKELETON}")
-    skeleton.CreateJointsAttr(paths)
-    skeleton.CreateBindTransformsAttr(still)
-    skeleton.CreateRestTransformsAttr(still)  # the head's joint lies in the origin, so places are its children's too
-    animation = UsdSkel.Animation.Define(stage, f"{top}/animation")
-    animation.CreateJointsAttr(paths)
-    animation.CreateTranslationsAttr(Vt.Vec3fArray(places))
-    animation.CreateRotationsAttr(Vt.QuatfArray([Gf.Quatf(1.0)] * len(places)))
-    animation.CreateScalesAttr(Vt.Vec3hArray([Gf.Vec3h(1.0)] * len(places)))
-    animation.CreateBlendShapesAttr(Vt.TokenArray(expressions))
-    animation.CreateBlendShapeWeightsAttr(Vt.FloatArray([0.0] * len(expressions)))
-    binding = UsdSkel.BindingAPI.Apply(skeleton.GetPrim())
-    binding.CreateAnimationSourceRel().SetTargets([animation.GetPath()])
-    return {shape.name: number for number, shape in enumerate(eyes, 1)}
-
-
 def _mesh(stage: Any, top: str, shape: Shape, box: NDArray[np.float32]) -> Any:
     """A mesh in the skeleton's space."""
     from pxr import Sdf, UsdGeom, Vt
@@ -222,14 +201,11 @@ def _mesh(stage: Any, top: str, shape: Shape, box: NDArray[np.float32]) -> Any:
     return mesh
 
 
-def _bind(stage: Any, mesh: Any, shape: Shape, joint: int, names: Mapping[str, str]) -> None:
-    """Binds a mesh rigidly to a joint, with the blend shapes that move it."""
-    from pxr import UsdSkel, Vt
+def _bind(stage: Any, mesh: Any, shape: Shape, joints: SkeletonJoints, names: Mapping[str, str]) -> None:
+    """Binds a mesh to its joints, with the blend shapes that move it."""
+    from pxr import Vt
 
-    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
-    binding.CreateSkeletonRel().SetTargets([mesh.GetPath().GetParentPath().AppendChild(SKELETON)])
-    binding.CreateJointIndicesPrimvar(True, 1).Set(Vt.IntArray([joint]))
-    binding.CreateJointWeightsPrimvar(True, 1).Set(Vt.FloatArray([1.0]))
+    binding = bind_joints(mesh, joints, shape.name)
     moved = {name: rows for name, target in shape.targets.items() if len(rows := _moved_rows(target))}
     blend_shapes = [
         _blend_shape(stage, f"{mesh.GetPath()}/{names[name]}", name, shape.targets[name], rows)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Floats
+from omote.interchange.formats.rig import Rig
 
 Json = dict[str, Any]
 
@@ -108,13 +109,14 @@ class Shape:
 class ExportScene:
     """A scene: shapes under one root; extras: plain data about it. ValueError where targets differ.
 
-    apart: each shape has targets of its own; who moves them knows which.
+    apart: each shape has targets of its own; who moves them knows which; rig: of a figure, on which the shapes are.
     """
 
     name: str
     shapes: Sequence[Shape]
     extras: Mapping[str, Any] = field(default_factory=dict)
     apart: bool = False
+    rig: Rig | None = None
 
     def __post_init__(self) -> None:
         names = list(self.shapes[0].targets) if self.shapes else []

@@ -39,6 +39,7 @@ class BakeOrder(msgspec.Struct, frozen=True):
     stem: str
     hair: bool
     credit: Credit | None = None
+    body: str = ""
 
 
 def describe_omote() -> str:
@@ -59,7 +60,7 @@ def bake_remotely(order: bytes, own: bytes) -> bytes:
     def work(_: int) -> bytes:
         check_kind(wanted.kind, wanted.credit)
         named = wanted.face, wanted.expressions, wanted.kind, wanted.stem
-        files = bake_face(_context(own), *named, hair=wanted.hair, credit=wanted.credit)
+        files = bake_face(_context(own), *named, hair=wanted.hair, credit=wanted.credit, body=wanted.body)
         return msgspec.msgpack.encode(MadeFiles(files))
 
     return msgspec.msgpack.encode(try_work(work, wanted.number))
@@ -153,6 +154,5 @@ def _outcome(future: Any, number: int) -> WorkOutcome:
 
 def _order(run: ExportRun, number: int, here: str) -> bytes:
     face = run.faces[number]
-    return msgspec.msgpack.encode(
-        BakeOrder(number, here, face, list(run.expressions), run.kind, run.stems[face], run.hair, run.credit)
-    )
+    named = number, here, face, [*run.expressions], run.kind, run.stems[face]
+    return msgspec.msgpack.encode(BakeOrder(*named, run.hair, run.credit, run.body))

@@ -47,7 +47,8 @@ class MadeFiles(msgspec.Struct, frozen=True):
 class ExportRun:
     """All faces of one command, what they wear, and where their files go; kind: as `encode_face` has it.
 
-    force: files are replaced that Omote did not write; credit: of avatars (VRM).
+    force: files are replaced that Omote did not write; credit: of avatars (VRM); body: of figures, as `encode_face` has
+    it.
     """
 
     context: ExportContext = field(repr=False)
@@ -58,6 +59,7 @@ class ExportRun:
     hair: bool = True
     force: bool = False
     credit: Credit | None = None
+    body: str = ""
 
     @cached_property
     def stems(self) -> Mapping[str, str]:
@@ -67,9 +69,16 @@ class ExportRun:
     @cached_property
     def keys(self) -> Mapping[str, str]:
         """What each face's files are made of: they are the same where this is."""
-        options = (__version__, self.kind, self.hair, repr(self.credit), hash_content(self.context.layers))
+        pictures = hash_content(self.context.layers)
+        options = (__version__, self.kind, self.hair, repr(self.credit), pictures, *self._bodies)
         shared = key_of_options(self.context.cast, self.expressions, options)
         return {face: key_of_face(self.context.cast, face, shared) for face in self.faces}
+
+    @property
+    def _bodies(self) -> tuple[str, ...]:
+        """What tells the bodies of figures apart; nothing for heads."""
+        bodies = self.context.cast.bodies.values()
+        return (self.body, hash_content(b"".join(body.positions.tobytes() for body in bodies))) if self.body else ()
 
     def record(self, face: str) -> str:
         """The name of a face's record."""
@@ -90,7 +99,7 @@ class ExportRun:
     def bake(self, face: str) -> dict[str, bytes]:
         """The files of a face."""
         named = face, self.expressions, self.kind, self.stems[face]
-        return bake_face(self.context, *named, hair=self.hair, credit=self.credit)
+        return bake_face(self.context, *named, hair=self.hair, credit=self.credit, body=self.body)
 
     def store(self, face: str, files: Mapping[str, bytes]) -> bytes:
         """Writes the files of a face and gives nothing back, as a piece of work does; errors as `store_export`."""

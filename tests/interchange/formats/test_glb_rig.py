@@ -4,8 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from omote.interchange.avatar.humanoid_skeleton import Joint, add_joints, bind_meshes
+from omote.interchange.formats.glb_rig import Binding, Hanging, add_joints, bind_meshes
 from omote.interchange.formats.glb_writer import Store, describe_scene, encode_glb
+from omote.interchange.formats.rig import Joint
 from tests.interchange.formats.scenes import scene, taken_apart, tetrahedron
 from tools.gltf import inspect
 
@@ -15,14 +16,20 @@ ORDER = (
     Joint("leg", (0.5, 0.5, 0.0), "hips"),
 )
 JOINTS = {joint.name: joint for joint in ORDER}
+AWAY = np.eye(4)
+AWAY[:3, 3] = -np.array(JOINTS["head"].place)
 
 
 def bound() -> bytes:
     """Two tetrahedra on the head of a skeleton of three joints."""
     store = Store()
-    document = describe_scene(scene(tetrahedron("a"), tetrahedron("b", size=3)), store)
-    nodes = add_joints(document, JOINTS)
-    bind_meshes(document, store, [JOINTS["head"]], [nodes["head"]], {})
+    shapes = tetrahedron("a"), tetrahedron("b", size=3)
+    document = describe_scene(scene(*shapes), store)
+    nodes = add_joints(document, ORDER)
+    whole = np.array([255, 0, 0, 0], np.uint8)
+    meshes = {shape.name: Binding(np.tile(0 * whole, (len(shape.points), 1)), np.tile(whole, (len(shape.points), 1)))
+              for shape in shapes}  # fmt: skip
+    bind_meshes(document, store, Hanging(("head",), AWAY[None], meshes), nodes)
     return encode_glb(document, store)
 
 

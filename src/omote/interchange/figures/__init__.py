@@ -1,0 +1,1 @@
+"""Figures, head and body, on a skeleton that other programs pose."""

@@ -1,0 +1,73 @@
+"""The vertices of a frame's figure: its face on its bodies, in its poses, the head turned."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from omote.arrays import Floats, Points, Values
+from omote.model.body.pose import STAND
+from omote.model.body.pose_regions import region_bones
+from omote.model.cast import Cast
+from omote.perform.blending.evaluate import evaluate
+from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
+from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
+from omote.perform.figures.pose_mix import MixedPose, mix_poses
+from omote.perform.frame import Frame, Head
+
+
+def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
+    """The skin of a frame's head and body, as stages pose and skin them.
+
+    Parameters
+    ----------
+    cast : Cast
+        One with figures, that has all that the frame names.
+    frame : Frame
+        From `Performer.advance`; a figure that nothing was called of stands, each face on its own body.
+
+    Returns
+    -------
+    ndarray of float32, (V + B, 3)
+        Metres, in the axes of the head: the rows of `evaluate`, then those of the body (`cast.figures.space`), without
+        suit and shoes.
+
+    Raises
+    ------
+    ValueError
+        As `evaluate`, and for a cast without figures.
+
+    Examples
+    --------
+    >>> performer = omote.Performer(cast)
+    >>> performer.call_pose("bow", seconds=2)
+    >>> omote.evaluate_figure(cast, performer.advance(1)).shape
+    (13380, 3)
+
+    References
+    ----------
+    docs/method.md, "Bodies and poses".
+    """
+    if cast.figures is None:
+        raise ValueError("this cast has no bodies and poses; evaluate gives the head alone")
+    space = cast.figures.space
+    on = frame.figure
+    head = evaluate(cast, frame).astype(np.float64)
+    bodies = mixed_bodies({FACES_OWN: 1.0} if on is None else on.bodies, frame.faces, cast.bodies)
+    resting = resting_figure(cast.figures, bodies, head, _mixed_faces(cast, frame))
+    poses = ({STAND: 1.0}, {}) if on is None else (on.poses, on.regions)
+    mixed = mix_poses(cast.poses, *poses, region_bones(space.skeleton), frame.idle)
+    turns = turn_head(space.skeleton, mixed.turns, turn_of(frame.head))
+    posed = MixedPose(turns, mixed.travel, mixed.feet, mixed.feet_turns)
+    return skin_figure(space, resting, pose_figure(space, resting, posed))
+
+
+def turn_of(head: Head) -> Values:
+    """The rotation vector (3,) of a head's direction, radians: yaw, then pitch, then roll, as stages turn it."""
+    return np.asarray(Rotation.from_euler("YXZ", [head.yaw, -head.pitch, -head.roll]).as_rotvec())
+
+
+def _mixed_faces(cast: Cast, frame: Frame) -> Points:
+    """The faces on air at rest (V, 3), which carry the joints."""
+    faces = [weight * cast.faces[name].positions.astype(np.float64) for name, weight in frame.faces.items()]
+    return np.asarray(sum(faces))
