@@ -12,11 +12,11 @@ from tools.baking.heads.head import PART_GROUPS, join
 
 # How far behind the tip its outline comes to be as wide as the published one, in half widths of the tongue, and the
 # share of that width at the tip itself.
-ROUND = 0.7
-TIP = 0.4
+ROUND = 0.6
+TIP = 0.55
 # In half widths: how far back places beside the tip go at most, where they begin to go no farther, and how far behind
 # the tip none does.
-BACK = 0.12
+BACK = 0.06
 ASIDE = 0.4
 REACH = 0.7
 

@@ -86,9 +86,9 @@ void main() {
   vPoint = turned(here, 1.0);
   vNormal = turnedNormal(normal, 1.0);
   vSpot = spot.xy;
-  vLight = lightAt(here);
+  vLight = mix(lightAt(here), vec3(1.0, 1.0, 0.0), 0.8 * out_ * smoothstep(0.5, 0.1, spot.x)); // beside a tongue that is out the lip gives way
   gl_Position = project(vPoint);
-  float nearer = 0.006 * out_ * smoothstep(0.8, 0.4, spot.x); // metres: no lip under it comes through it
+  float nearer = 0.003 * out_ * smoothstep(0.8, 0.4, spot.x); // metres: no lip under it comes through it
   gl_Position.z = (gl_Position.z + projectionMatrix[2][2] * nearer) * gl_Position.w / (gl_Position.w - nearer);
 }
 `;
