@@ -40,7 +40,7 @@ MAKEHUMAN: Sequence[str] = (
 PERFORMED: Mapping[str, Mapping[str, float]] = {
     "smile": {"mouthSmile*": 0.62, "cheekSquint*": 0.35, "eyeSquint*": 0.15, "mouthDimple*": 0.15},
     "joy": {
-        "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.9, "mouthLowerDown*": 0.3,
+        "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.6, "mouthLowerDown*": 0.3,
         "jawOpen": 0.2, "browInnerUp": 0.2, "browOuterUp*": 0.2,
     },
     "laugh": {
