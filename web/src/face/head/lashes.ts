@@ -64,13 +64,14 @@ export function ribbons(upper = UPPER, lower = LOWER, stations = FINE): Ribbons 
     for (let n = 0; n < growth.count; n++) {
       const chance = hashed(n, edge);
       const share = 0.05 + (0.9 * (n + 0.7 * (hashed(n, edge + 9) - 0.5))) / (growth.count - 1);
-      const clumps = growth.count / growth.clump;
-      const meeting = 0.05 + (0.9 * (Math.floor((n / growth.count) * clumps) + 0.5)) / clumps;
+      const clump = Math.floor((n + 1.6 * (hashed(n, edge + 3) - 0.5)) / growth.clump);
+      const meeting = 0.05 + (0.9 * growth.clump * (clump + 0.2 + 0.6 * hashed(clump, edge + 13))) / growth.count;
       const outer = edge < 2 ? share : 1 - share; // + is the character's left: outer on its left eye
       const length =
         growth.length *
         (0.45 + 0.55 * Math.sin(Math.PI * (0.12 + 0.72 * outer)) ** 0.7) *
-        (0.75 + 0.25 * hashed(n, edge + 5));
+        (0.75 + 0.25 * hashed(clump, edge + 17)) *
+        (0.55 + 0.45 * hashed(n, edge + 5));
       const start = strands.length / 4;
       for (let station = 0; station < stations; station++)
         for (const side of [-1, 1]) {

@@ -53,7 +53,7 @@ void main() {
 
 /**
  * The tongue. The cast's goes with the chin as one piece and stays high when the jaw opens; one that does nothing of its
- * own lies down between the teeth, its root less.
+ * own lies down between the teeth, and its sides lower than its middle, so that it is round and not a shelf.
  */
 export const TONGUE_VERTEX = `${MOUTH_LIGHT}${SURFACE}
 uniform ivec4 jaw; // of the lower teeth: gum and edge in front, edges at the right and the left end
@@ -62,8 +62,8 @@ uniform vec2 tipAtRest; // up and ahead of the lower edge, in widths of the arch
 in vec3 spot; // behind the tip, aside of the middle, metres along the normal (spotAt in tongue.ts)
 out vec2 vSpot;
 
-/** Where the tongue lies down to in an open mouth. */
-vec3 sunk() {
+/** Where the tongue lies down to in an open mouth, and how far it is out. */
+vec3 sunk(out float out_) {
   vec3 edge = rowAt(jaw.y), right = rowAt(jaw.z), left = rowAt(jaw.w);
   vec3 up = normalize(edge - rowAt(jaw.x));
   vec3 ahead = normalize(edge - 0.5 * (right + left));
@@ -72,18 +72,24 @@ vec3 sunk() {
   float own = distance(vec2(dot(tip, up), dot(tip, ahead)) / width, tipAtRest);
   float open = smoothstep(0.06, 0.6, (rowAt(tips.x).y - edge.y) / width);
   float still = 1.0 - smoothstep(0.08, 0.2, own);
-  return -0.22 * width * up * open * still * (1.0 - 0.45 * clamp(spot.x, 0.0, 1.0));
+  out_ = 1.0 - still;
+  float aside = min(spot.y * spot.y, 1.0);
+  return -(0.30 * (1.0 - 0.25 * clamp(spot.x, 0.0, 1.0)) + 0.16 * aside) * width * up * open * still;
 }
 
 void main() {
   vec3 normal;
   vec3 here = surface(normal);
-  here += spot.z * normal + (jaw.z == jaw.w ? vec3(0.0) : sunk());
+  float out_ = 0.0;
+  vec3 down = jaw.z == jaw.w ? vec3(0.0) : sunk(out_);
+  here += spot.z * (1.0 - out_) * normal + down; // one that is out is thick, and covers the lip
   vPoint = turned(here, 1.0);
   vNormal = turnedNormal(normal, 1.0);
   vSpot = spot.xy;
-  vLight = lightAt(here);
+  vLight = mix(lightAt(here), vec3(1.0, 1.0, 0.0), 0.8 * out_ * smoothstep(0.5, 0.1, spot.x)); // beside a tongue that is out the lip gives way
   gl_Position = project(vPoint);
+  float nearer = 0.003 * out_ * smoothstep(0.8, 0.4, spot.x); // metres: no lip under it comes through it
+  gl_Position.z = (gl_Position.z + projectionMatrix[2][2] * nearer) * gl_Position.w / (gl_Position.w - nearer);
 }
 `;
 
@@ -135,9 +141,12 @@ void main() {
 #endif
   vec3 side = headTurn * vec3(1.0, 0.0, 0.0);
   vec3 back = headTurn * vec3(0.0, 0.0, 1.0);
+#ifdef DETAIL
+  normal = normalize(normal + 0.9 * vSpot.y * side);
+#endif
   normal = normalize(normal + side * (0.5 * furrow * sign(-vSpot.y) * smoothstep(0.0, 0.06, abs(vSpot.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
   vec3 flesh = mix(vec3(0.54, 0.17, 0.155), vec3(0.62, 0.28, 0.255), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
-  flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.35 * clamp(vSpot.x, 0.0, 1.0));
+  flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.65 * smoothstep(0.1, 1.1, vSpot.x));
   colour = premultiplied(lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a)), 1.0);
 }
 `;

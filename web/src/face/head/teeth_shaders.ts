@@ -79,7 +79,6 @@ void main() {
   enamel = mix(enamel, vec3(0.76, 0.76, 0.75), 0.4 * (1.0 - fur) * smoothstep(0.86, 1.0, height)); // a person's edge lets the dark through
   enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + 0.06 * shade);
   enamel *= mix(vec3(1.0), vec3(0.62, 0.50, 0.43), smoothstep(0.72, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
-  enamel *= mix(1.0, 0.72, smoothstep(1.5, 5.5, fromMiddle));
   vec3 pink = mix(vec3(0.62, 0.28, 0.26), vec3(0.50, 0.15, 0.14), smoothstep(0.1, 0.7, -height));
 #ifdef DETAIL
   vec4 bumps = texture(grain, vec2(vMarks.y * 0.9, height * 0.7)) - 0.5;
@@ -88,6 +87,7 @@ void main() {
 #endif
   vec3 albedo = mix(enamel, pink, gum);
   albedo *= mix(0.74, 1.0, smoothstep(0.0, 0.07, abs(height))); // where the gum begins
+  albedo *= mix(vec3(1.0), mix(vec3(0.36, 0.27, 0.23), vec3(0.72), fur), smoothstep(1.5, 6.0, fromMiddle)); // cheeks lie close to a person's back teeth
   colour = premultiplied(lit(albedo, normal, mix(0.75, 0.45, gum), mix(0.40, 0.26, gum)), 1.0);
 }
 `;

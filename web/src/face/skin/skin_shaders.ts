@@ -40,6 +40,9 @@ const GLOW = "0.42";
 /** The share of the key light that the lining of a wide open mouth shows. */
 const WALLS = "0.24";
 
+/** The share of the key light that the lining shows where none comes in straight: it went through cheeks. */
+const DEEP = "0.042, 0.012, 0.010";
+
 /** How much deeper the lining of the mouth is drawn, metres. */
 const DEEPER = "0.012";
 
@@ -131,6 +134,10 @@ vec3 lit(Layers layers, Ground at, float open) {
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
   float sunlit = shadow(vPoint, form);
+  float inside = max(at.lining, at.lips * smoothstep(0.7, 0.95, layers.mask.r)); // seen edge on, it mirrors the mouth behind it
+#ifdef DETAIL
+  sunlit = max(sunlit, 0.3 * inside); // lips shade each other, and light goes through them
+#endif
   key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.1 * flesh); // a trace of red where light comes out beside
   key *= mix(vec3(1.0), mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key), flesh);
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
@@ -164,7 +171,6 @@ vec3 lit(Layers layers, Ground at, float open) {
 #endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
-  float inside = max(at.lining, at.lips * smoothstep(0.7, 0.95, layers.mask.r)); // seen edge on, it mirrors the mouth behind it
   mirror += onFlesh(ambient(reflect(-view, normal)), flesh) * (0.03 + 0.4 * down * edge) * (0.4 + 2.0 * wet + lacquer) * open * (1.0 - inside);
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
@@ -402,7 +408,11 @@ vec3 seen() {
 #endif
   Ground at = ground(layers, vTraits.y);
   at.albedo *= mix(flushed(vTraits.w), vec3(1.0), at.hair);
-  return lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
+  vec3 light = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
+#ifdef DETAIL
+  light += at.lining * vec3(${DEEP}) * KEY_LIGHT * mix(0.5, 1.0, vTraits.z);
+#endif
+  return light;
 }
 `;
 
