@@ -162,7 +162,7 @@ void main() {
 #ifdef DETAIL
   length_ *= 1.0 - 0.1 * chanceOf(3u);
   float stray = smoothstep(STRAY, 1.0, chanceOf(7u)); // a few hairs go their own way
-  thin *= stray > 0.0 ? 0.4 : 1.0;
+  thin *= stray > 0.0 ? 0.3 : 1.0;
 #endif
   float at = place.y * length_ * (stations - 1.0);
   int here = int(min(at, stations - 2.0));
