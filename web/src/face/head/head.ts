@@ -12,6 +12,7 @@ import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type BloodUniforms, bloodUniforms } from "../skin/blood";
+import { fur } from "../skin/fur";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
 import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
@@ -138,6 +139,9 @@ export function buildHead(from: HeadParts): THREE.Group {
   if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
   const hairs = from.features.detail ? brows(from.meshes, from.anatomy.positions, from.shared) : undefined;
   if (hairs !== undefined) head.add(Object.assign(hairs, { name: "brows" }));
+  const skin = from.meshes.find(({ name }) => name === "skin");
+  if (from.features.detail && skin !== undefined)
+    head.add(Object.assign(fur(skin, from.anatomy, from.shared), { name: "fur" }));
   for (const part of belowHead(from)) head.add(part);
   for (const child of head.children) {
     child.frustumCulled = false; // the vertices are where the GPU puts them
