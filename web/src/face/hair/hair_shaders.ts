@@ -122,7 +122,7 @@ uniform sampler2D grain;
 #define STRAY 0.90 // of all ribbons lie with their strand
 #define DOWN_LONG 0.012 // metres
 #define DOWN_FINE 0.2 // of the width
-#define DOWN_APART 0.009 // metres that the down of one strand spreads over, to either side and ahead of the hairline
+#define DOWN_APART 0.009 // metres that the down of one strand spreads over to either side, and half as far ahead of the hairline
 #define KIN_APART 6.5 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
@@ -186,7 +186,7 @@ void main() {
   away = cross(aside, along);
   aside = normalize(aside + roll * away);
 #ifdef DETAIL
-  if (isDown) spot += DOWN_APART * ((2.0 * chanceOf(4u) - 1.0) * aside - chanceOf(5u) * along + 0.12 * place.y * (2.0 * chanceOf(6u) - 1.0) * aside);
+  if (isDown) spot += DOWN_APART * ((2.0 * chanceOf(4u) - 1.0) * aside - 0.5 * chanceOf(5u) * along + 0.12 * place.y * (2.0 * chanceOf(6u) - 1.0) * aside);
   float apart = isDown ? 0.0 : KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
   float loose = min(0.13 * length_ * metres, 0.011) * stray * place.y * place.y;
