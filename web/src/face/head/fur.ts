@@ -4,8 +4,8 @@ import * as THREE from "three";
 import type { Mesh } from "../../link/assets";
 import type { Anatomy } from "../anatomy/anatomy";
 import { LAID_OVER, material, tellPixel, type Uniforms } from "../gpu/renderer";
-import { hashed } from "../head/lashes";
 import { FUR_FRAGMENT, FUR_VERTEX } from "./fur_shaders";
+import { hashed } from "./lashes";
 
 /** Square metres of the generic skin for each strand; of its ears, which are large on a dog or a cat; and the most strands of a triangle. */
 const [AREA, EAR_AREA, MOST] = [10e-6, 2.2e-6, 40];
