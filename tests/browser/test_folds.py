@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page
+from scipy.ndimage import gaussian_filter
 
 import omote
 from omote.geometry.strain import fans_of, vertex_strain
@@ -152,6 +153,19 @@ def test_sweat_shines_beads_and_runs_on_skin_alone(stage: Callable[[str], Page],
     assert beads[:, 60:260].max() > 25.0
     assert ran.max() > 12.0  # the same beads, but those that run
     assert (ran > 0.0).mean() < 0.3 * (beads > 0.0).mean()
+
+
+def test_a_flush_is_mottled_and_sweat_leaves_no_pits(stage: Callable[[str], Page]) -> None:
+    """A flush that was even was a wash of paint; beads hid the sheen around them, and were darker than dry skin."""
+    page = stage("medium")
+    forehead, brow = (slice(60, 125), slice(100, 220)), (slice(95, 125), slice(135, 185))
+    for face in ("man", "old", "heavy"):
+        dry = seen(page, faces={face: 1.0}, complexion=[])
+        flushed = np.log((seen(page, faces={face: 1.0}, complexion=[0.0, 0.0, 1.0]) + 1.0) / (dry + 1.0))[brow][..., 1]
+        assert (flushed - gaussian_filter(flushed, 6.0)).std() > 0.08 * abs(flushed.mean())
+        wet = (seen(page, faces={face: 1.0}, complexion=[0.0] * 6 + [1.0]) - dry).mean(axis=2)[forehead]
+        assert wet.min() > -15.0
+        assert wet.max() > 40.0
 
 
 def test_tears_run_and_dry_eyes_have_none(stage: Callable[[str], Page]) -> None:

@@ -56,3 +56,19 @@ def test_between_skin_and_fur_nothing_pops(stage: Page) -> None:
     steps = [np.abs(after - before).mean() for before, after in pairwise(seen)]
     assert min(steps) > 0.0
     assert max(steps) < 3.0 * np.mean(steps)
+
+
+def test_fur_has_an_outline_of_strands_where_a_mask_is_cut_clean(open_page: Callable[..., Page]) -> None:
+    page = open_page("/stage?quality=medium&transparent", width=320, height=320)
+    wait_until(page, "window.omoteStage?.counters().drawn")
+    draw_on_demand(page)
+
+    def fringe(face: str) -> float:
+        """Pixels that a head covers in part, for each row that it is in, above the collar."""
+        page.evaluate("faces => window.omoteStage.hold({ faces })", {face: 1.0})
+        alpha = picture(page)[:230, :, 3]
+        return float(((alpha > 8) & (alpha < 230)).sum() / (alpha > 127).any(axis=1).sum())
+
+    clean = fringe("noh")
+    assert min(fringe("dog"), fringe("cat")) > 1.8 * clean
+    assert fringe("noh") == clean

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { arcStyle } from "./arc_style";
-import { outermostFirst, strandsTexture } from "./hair_geometry";
+import { downBefore, outermostFirst, strandsTexture } from "./hair_geometry";
 
 describe("the order of drawing", () => {
   const light = Uint8Array.from([10, 20, 200, 255, 90, 80, 255, 255]);
@@ -35,4 +35,10 @@ describe("the texture of a style's strands", () => {
     strands[5] = 0.25;
     expect(data?.[5]).toBe(0.25);
   });
+});
+
+it("down grows beside the strands of the edges alone, in the order in which those are drawn", () => {
+  const fullness = Float32Array.of(1, 0.2, 0.9, 0.3);
+  expect(downBefore({ fullness }, [3, 0, 2, 1])).toEqual([3, 1]);
+  expect(downBefore({ fullness }, [0, 2])).toEqual([]);
 });

@@ -21,10 +21,13 @@ export interface RibbonStyle {
  * lie in a zigzag: on a software renderer a thin triangle costs by the squares of pixels that it touches, and the two
  * triangles of a piece between two places touch the same.
  */
-const TRIANGLES = { round: 20, fine: 15, coarse: 8 };
+const TRIANGLES = { round: 15, fine: 15, coarse: 8 };
+
+/** Where hair is less full than this down grows before it, in thin ribbons of its own; and how full the shader finds those. */
+const [DOWNY, DOWN] = [0.4, -1];
 
 /** How wide each of several ribbons of a strand is, of a single one. */
-const THIN = 0.44;
+const THIN = 0.37;
 
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "width", THREE.IUniform<number>> & {
@@ -146,6 +149,11 @@ export function outermostFirst({ light, stations }: Pick<HairStrands, "light" | 
   );
 }
 
+/** Those of the strands at the edges of a style, beside which down grows. */
+export function downBefore({ fullness }: Pick<HairStrands, "fullness">, strands: readonly number[]): number[] {
+  return strands.filter((strand) => (fullness[strand] as number) < DOWNY);
+}
+
 function ribbon(
   hair: HairStrands,
   course: [number, number][],
@@ -153,14 +161,16 @@ function ribbon(
   count: number,
 ): THREE.InstancedBufferGeometry {
   const geometry = new THREE.InstancedBufferGeometry();
-  const strands = outermostFirst(hair, count);
+  const grown = outermostFirst(hair, count);
+  const down = kin > 1 ? downBefore(hair, grown) : [];
+  const strands = [...grown, ...down];
   const roots = strands.map((strand) => hair.anchors[strand] as number);
-  const fullness = strands.map((strand) => hair.fullness[strand] as number);
+  const fullness = [...grown.map((strand) => hair.fullness[strand] as number), ...down.map(() => DOWN)];
   geometry.setIndex(course.slice(2).flatMap((_, at) => (at % 2 === 0 ? [at, at + 1, at + 2] : [at + 1, at, at + 2])));
   geometry.setAttribute("place", new THREE.Float32BufferAttribute(course.flat(), 2));
   geometry.setAttribute("source", new THREE.InstancedBufferAttribute(Float32Array.from(roots), 1, false, kin));
   geometry.setAttribute("strandRow", new THREE.InstancedBufferAttribute(Float32Array.from(strands), 1, false, kin));
   geometry.setAttribute("fullness", new THREE.InstancedBufferAttribute(Float32Array.from(fullness), 1, false, kin));
-  geometry.instanceCount = kin * count;
+  geometry.instanceCount = kin * strands.length;
   return geometry;
 }

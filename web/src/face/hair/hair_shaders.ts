@@ -56,12 +56,14 @@ void sheens(vec3 rim, vec4 halves, float facing, float open, float shift, out ve
 /** A ribbon of strands: its places are offsets from the skin at its root (\`source\`), mixed as the faces are. */
 export const HAIR_VERTEX = `${VERTEX_HEAD}
 in float strandRow;
-in float fullness; // of the width, 0..1: hair is finer towards its edges
+in float fullness; // of the width, 0..1: hair is finer towards its edges; below 0 it is down at the hairline
 #define SPIN chanceOf(0u)
 #ifdef DETAIL
-#define FIBRE 0.0007 // metres across the hairs that cling together and are seen as one
+#define FIBRE 0.00045 // metres across the hairs that cling together and are seen as one
+#define PARTED 0.0007 // and those between which one sees through
 #else
 #define FIBRE 0.0011
+#define PARTED FIBRE
 #endif
 // Half of the pixels that a ribbon is drawn wide at least, where it is narrower or seen from its edge; with one sample a
 // pixel it would be a row of dots there, and so would the skin between two ribbons: each lies that much over the next.
@@ -87,7 +89,7 @@ int ribbonNumber() { return strandNumber(); }
 
 /** A chance (0..1) of this ribbon, another for every salt; in whole numbers, so that it is the same on every machine. */
 float chanceOf(uint salt) {
-  uint mixed = uint(ribbonNumber()) * 0x9e3779b1u + salt * 0x85ebca6bu;
+  uint mixed = uint(ribbonNumber()) * 0x9e3779b1u + (fullness < 0.0 ? salt + 16u : salt) * 0x85ebca6bu;
   mixed = (mixed ^ (mixed >> 16)) * 0x7feb352du;
   mixed = (mixed ^ (mixed >> 15)) * 0x846ca68bu;
   return float(mixed >> 8) / 16777216.0;
@@ -117,8 +119,11 @@ out vec2 vFacing; // and open sky
 #ifdef DETAIL
 out float vSway;
 uniform sampler2D grain;
-#define STRAY 0.93 // of all ribbons lie with their strand
-#define KIN_APART 5.5 // half-widths of a ribbon that those of one strand spread over
+#define STRAY 0.90 // of all ribbons lie with their strand
+#define DOWN_LONG 0.012 // metres
+#define DOWN_FINE 0.2 // of the width
+#define DOWN_APART 0.009 // metres that the down of one strand spreads over to either side, and half as far ahead of the hairline
+#define KIN_APART 6.5 // half-widths of a ribbon that those of one strand spread over
 /** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
   return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
@@ -138,7 +143,18 @@ void main() {
   float length_ = grown * (1.0 - 0.8 * chance * (1.0 - grown)); // no two are cut alike
   float metres = texelFetch(strands, ivec2(2, strand), 0).w;
   float thin = clamp(shown * 1.5 - 0.5 * chanceOf(0u), 0.0, 1.0) * smoothstep(0.0, 0.5, length_);
-  thin *= fullness * min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
+#ifdef DETAIL
+  bool isDown = fullness < 0.0;
+  if (isDown) length_ = min(length_, DOWN_LONG * (0.5 + chance) / metres);
+#ifdef STRANDS
+  thin *= max(fullness, 0.0); // down casts no shadow
+#else
+  thin *= isDown ? DOWN_FINE : fullness;
+#endif
+#else
+  thin *= fullness;
+#endif
+  thin *= min(1.0, SLENDER * length_ * metres / width); // what is short is fine: a wide ribbon would lie there like a chip
   if (thin <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nothing to draw
     return;
@@ -146,7 +162,7 @@ void main() {
 #ifdef DETAIL
   length_ *= 1.0 - 0.1 * chanceOf(3u);
   float stray = smoothstep(STRAY, 1.0, chanceOf(7u)); // a few hairs go their own way
-  thin *= stray > 0.0 ? 0.5 : 1.0;
+  thin *= stray > 0.0 ? 0.3 : 1.0;
 #endif
   float at = place.y * length_ * (stations - 1.0);
   int here = int(min(at, stations - 2.0));
@@ -170,15 +186,16 @@ void main() {
   away = cross(aside, along);
   aside = normalize(aside + roll * away);
 #ifdef DETAIL
-  float apart = KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
+  if (isDown) spot += DOWN_APART * ((2.0 * chanceOf(4u) - 1.0) * aside - 0.5 * chanceOf(5u) * along + 0.12 * place.y * (2.0 * chanceOf(6u) - 1.0) * aside);
+  float apart = isDown ? 0.0 : KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
   spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
-  float loose = min(0.12 * length_ * metres, 0.009) * stray * place.y * place.y;
+  float loose = min(0.13 * length_ * metres, 0.011) * stray * place.y * place.y;
   spot += loose * ((0.3 + chanceOf(4u)) * away + 1.6 * (chance - 0.5) * aside);
 #endif
   float end = place.y * place.y;
   thin *= 1.0 - 0.3 * end;
 #ifdef DETAIL
-  thin *= 1.0 - 0.85 * end * end; // to a point: noise leaves dust
+  thin *= 1.0 - 0.6 * end * end; // fibres end one by one before
 #else
   thin *= 1.0 - 0.85 * end * smoothstep(1.0, 0.6, grown); // hair that comes or goes ends in points: cut across it is slats
 #endif
@@ -208,13 +225,14 @@ void main() {
   point += place.x * (aside * width * thin + beside * wide * max(NARROWEST - pixels, OVERLAP));
   vec3 within = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
 #ifdef DETAIL
-  float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
+  float bare = 0.16 * end;
   bare += 0.3 * smoothstep(0.1, 0.0, place.y); // and come out of the skin one by one
+  if (isDown) bare = 0.5; // half of it is seen through
 #else
   float bare = 0.34 * end + 0.9 * smoothstep(0.86, 1.06, place.y + 0.12 * chance * end);
 #endif
   float left = 4.0 * (half_ / (NARROWEST * wide) - SCARCE * chance);
-  vec2 cover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
+  vec2 cover = vec2(min(left, 0.5 - bare), clamp(PARTED / wide - 1.0, 0.0, 1.0));
   vec2 chances = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0);
@@ -261,9 +279,12 @@ in float vSway;
 
 #ifdef DETAIL
 #define EDGE 0.22 // of the fibres, that the edges of a ribbon lack
+#define SOFTEST 0.2 // of the fibres, over which what covers falls off at least
 #else
 #define EDGE 0.30
+#define SOFTEST 0.1
 #endif
+#define FADES 0.34 // of a ribbon, along which a fibre ends
 
 #ifdef FAST
 void main() {
@@ -289,7 +310,8 @@ void main() {
   float cover = vCover.x + vCover.y * (fibre.r - 0.5) - EDGE * edge * edge;
 #ifdef SOFT
   cover -= 0.12 * vCover.y; // and leave gaps; with one sample a pixel those are dots of skin
-  cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
+  cover = clamp(cover / max(fwidth(cover), SOFTEST) + 0.5, 0.0, 1.0);
+  cover *= 1.0 - smoothstep(0.0, FADES, vPlace.y - 0.62 - 0.5 * (fibre.r - 0.35)); // each fibre fades out by itself
 #endif
   if (cover <= 0.0) discard;
   vec3 sheen, glow;

@@ -19,6 +19,7 @@ import { brows } from "./brows";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import type { EyeTraits } from "./eye_traits";
 import { eyeball } from "./eyeballs";
+import { fur } from "./fur";
 import { lashes } from "./lashes";
 import { mouthParts } from "./mouth";
 import { type Cages, cagesOf } from "./teeth_cage";
@@ -141,6 +142,9 @@ export function buildHead(from: HeadParts): THREE.Group {
   if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
   const hairs = from.features.detail ? brows(from.meshes, from.anatomy.positions, from.shared) : undefined;
   if (hairs !== undefined) head.add(Object.assign(hairs, { name: "brows" }));
+  const skin = from.meshes.find(({ name }) => name === "skin");
+  if (from.features.detail && skin !== undefined)
+    head.add(Object.assign(fur(skin, from.anatomy, from.shared), { name: "fur" }));
   for (const part of belowHead(from)) head.add(part);
   for (const child of head.children) {
     child.frustumCulled = false; // the vertices are where the GPU puts them

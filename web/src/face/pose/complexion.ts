@@ -16,15 +16,28 @@ export type Complexion = Record<Part | "drops", number>;
 export function complexionOf(pose: Pose, expressions: ReadonlyMap<string, ExpressionDocument>): Complexion {
   const { complexion } = pose;
   if (complexion !== undefined) return named(complexion);
+  const whole = broughtBy(expressionWeights(pose), expressions);
   const brought = PARTS.map((part, at) => {
-    const weights = Object.entries(expressionWeights(pose, COMPLEXION[part] ?? undefined));
-    const sum = weights.reduce((total, [name, weight]) => {
-      return total + weight * (expressions.get(name)?.complexion[at] ?? 0);
-    }, 0);
+    const region = COMPLEXION[part];
+    const isOwn = region !== null && region in pose.regions; // else all of the face brings it: its weights are summed once
+    const sum = isOwn ? broughtBy(expressionWeights(pose, region), expressions)[at] : whole[at];
     const [low, high] = COMPLEXION_RANGES[part];
-    return Math.min(high, Math.max(low, sum));
+    return Math.min(high, Math.max(low, sum as number));
   });
   return named(brought);
+}
+
+/** The sum of what expressions bring by their weights, by part. */
+function broughtBy(
+  weights: Readonly<Record<string, number>>,
+  expressions: ReadonlyMap<string, ExpressionDocument>,
+): number[] {
+  const sums = PARTS.map(() => 0);
+  for (const name in weights)
+    expressions.get(name)?.complexion.forEach((number, at) => {
+      sums[at] = (sums[at] as number) + (weights[name] as number) * number;
+    });
+  return sums;
 }
 
 /** A complexion from its numbers; what is missing is as at rest. */

@@ -51,7 +51,7 @@ const MEDIUM: Features = {
   shaderBlend: true,
   pixels: 2.1e6,
 };
-const GOOD: Features = { ...MEDIUM, ribbons: 4 };
+const GOOD: Features = { ...MEDIUM, ribbons: 5 };
 const HIGH: Features = { ...GOOD, shadow: 1024, anisotropy: 8, pixels: Infinity };
 
 /** By level, each as the one below but for what it draws more. */

@@ -114,6 +114,29 @@ float lobes(vec3 normal, vec3 view, vec3 lamp, float sharpness) {
   return mirrored * max(dot(normal, lamp) * 2.0 + 0.3, 0.0) * (0.75 * lobe(along, sharpness) + 0.25 * lobe(along, sharpness * 3.0));
 }
 
+#ifdef DETAIL
+/**
+ * What a drop adds to the light of the skin under it, \`below\`: its own highlights, what it mirrors at its rim, the light
+ * that it gathers at its side away from the key, what it lacks at the other, and its shadow.
+ */
+vec3 dropped(Water water, vec3 form, vec3 normal, vec3 view, vec3 below, vec3 key, vec3 fill) {
+  vec3 level = cross(vUp, form);
+  level *= inversesqrt(max(dot(level, level), 1e-6)); // under the chin nothing is level
+  vec3 upright = cross(form, level);
+  vec3 domed = normalize(normal + water.slope.x * level + water.slope.y * upright);
+  vec2 towards = vec2(dot(KEY, level), dot(KEY, upright));
+  float steep = min(length(water.slope), 1.2);
+  float lamp = dot(water.slope, towards) * inversesqrt(dot(towards, towards) + 0.05) / max(steep, 0.05);
+  float far = max(-lamp, 0.0);
+  float foot = 4.0 * water.lies * (1.0 - water.lies);
+  float gathered = water.lies * steep * (0.9 * far * steep - 0.25 * max(lamp, 0.0)) - 0.4 * foot * far * smoothstep(0.2, 0.6, steep); // a film has no foot
+  float edge = 1.0 - max(dot(domed, view), 0.0);
+  vec3 rim = edge * edge * (0.35 * fill + 0.25 * ambient(domed));
+  vec3 shining = key * lobes(domed, view, KEY, mix(45.0, 150.0, steep / 1.2)) + fill * lobes(domed, view, FILL, 60.0);
+  return below * gathered + water.lies * (2.8 * shining + rim);
+}
+#endif
+
 vec3 lit(Layers layers, Ground at, float open) {
   vec3 form = normalize(vNormal);
   vec3 view = normalize(viewPoint - vPoint);
@@ -160,14 +183,9 @@ vec3 lit(Layers layers, Ground at, float open) {
   strength *= open;
 #ifdef DETAIL
   Water water = waterAt((1.0 - at.hair) * (1.0 - at.lips));
-  if (water.lies + water.film > 0.0) {
-    vec3 level = cross(vUp, form);
-    level *= inversesqrt(max(dot(level, level), 1e-6)); // under the chin nothing is level
-    normal = normalize(normal + water.slope.x * level + water.slope.y * cross(form, level));
-    wet = max(wet, max(water.lies, 0.5 * water.film));
-    sharpness = mix(mix(sharpness, 42.0, 0.8 * water.film), 110.0, water.lies);
-    strength = mix(mix(strength, max(strength, 0.85 * open), water.film), 1.4, water.lies);
-  }
+  wet = max(wet, max(water.lies, 0.5 * water.film));
+  sharpness = mix(sharpness, 42.0, 0.8 * water.film);
+  strength = mix(strength, max(strength, 0.85 * open), water.film) * (1.0 - 0.5 * water.lies);
 #endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
@@ -175,7 +193,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 
   vec3 seen = at.albedo * diffuse + strength * 1.6 * mirror;
 #ifdef DETAIL
-  seen += at.albedo * diffuse * (0.55 * max(-water.slope.y, 0.0) - 0.3 * max(water.slope.y, 0.0)) * water.lies; // a drop gathers light at its foot
+  if (water.lies > 0.0) seen += dropped(water, form, normal, view, at.albedo * diffuse, KEY_LIGHT * sunlit, aside) * sqrt(open);
 #endif
   seen += at.albedo * (aside + KEY_LIGHT * 0.25 * sunlit * max(dot(form, KEY) + 0.5, 0.0)) * down * (0.35 * flesh + 1.2 * at.fur) * open; // down on the skin
   vec3 rim = onFlesh(RIM_LIGHT, 0.5 * flesh) * mix(1.0, 0.75, flesh);
@@ -393,6 +411,16 @@ in vec3 vNormal;
 uniform sampler2D finish;
 #endif
 ${LAYER_SAMPLING}${FLUSHED}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
+/** How much of the blood at a place shows: in the patches of the skin's own mottling, more where it is thin, less at pores. */
+float capillary(vec4 finished) {
+#ifdef DETAIL
+  return clamp(1.06 + 1.3 * (finished.a - 0.5), 0.5, 1.5) * mix(0.6, 1.0, finished.b)
+    * (1.0 + 0.5 * smoothstep(0.7, 1.0, finished.g));
+#else
+  return 1.0;
+#endif
+}
+
 vec3 seen() {
 #ifdef SHARPEN
   sharper = -slant();
@@ -407,7 +435,7 @@ vec3 seen() {
   layers.mask.g = texture(mask, vUv, 3.0).g; // hairs of the brows are drawn over their shade
 #endif
   Ground at = ground(layers, vTraits.y);
-  at.albedo *= mix(flushed(vTraits.w), vec3(1.0), at.hair);
+  at.albedo *= mix(flushed(vTraits.w * capillary(finished)), vec3(1.0), at.hair);
   vec3 light = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
 #ifdef DETAIL
   light += at.lining * vec3(${DEEP}) * KEY_LIGHT * mix(0.5, 1.0, vTraits.z);

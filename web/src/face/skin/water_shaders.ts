@@ -73,10 +73,11 @@ Water beadAt(vec2 flat_, float wide, mat2 turn, float amount) {
   vec2 at = turn * flat_ / wide;
   vec3 chance = hashed(ivec2(floor(at)));
   float size = fract(chance.z * 37.0);
-  float radius = (0.12 + 0.21 * size * size) * smoothstep(chance.z, chance.z + 0.15, 0.9 * amount);
+  float radius = (0.11 + 0.22 * size * size) * smoothstep(chance.z, chance.z + 0.15, 0.9 * amount);
   if (radius < 0.02) return Water(0.0, vec2(0.0), 0.0);
   vec2 off = ((fract(at) - mix(vec2(radius), vec2(1.0 - radius), chance.xy)) * turn) / radius; // upright again
-  float lies = 1.0 - smoothstep(0.6, 1.0, dot(off, off));
+  off.y *= off.y < 0.0 ? 0.82 : 1.12; // it hangs
+  float lies = 1.0 - smoothstep(0.5, 1.0, dot(off, off));
   return Water(lies, 1.5 * off * lies, 0.0);
 }
 
@@ -104,8 +105,8 @@ Water sweatAt(vec2 place, float bare) {
   vec2 footprint = fwidth(flat_);
   float fine = 1.0 - smoothstep(0.0007, 0.0018, max(footprint.x, footprint.y)); // beads below a pixel are a film
   float amount = where * smoothstep(0.2, 0.9, sweat);
-  Water bead = beadAt(flat_, 0.0062, mat2(0.877, 0.479, -0.479, 0.877), amount);
-  Water small = beadAt(flat_, 0.0029, mat2(0.454, 0.891, -0.891, 0.454), 1.3 * amount);
+  Water bead = beadAt(flat_, 0.0080, mat2(0.877, 0.479, -0.479, 0.877), 1.6 * amount * amount); // where one sweats most
+  Water small = beadAt(flat_, 0.0034, mat2(0.454, 0.891, -0.891, 0.454), 0.8 * amount);
   float aside = bare * min(1.0, where + bell(place, vec2(0.066, -0.012), vec2(0.014, 0.050)));
   Water run = runAt(flat_, 0.7 * aside * smoothstep(0.55, 1.0, sweat));
   float whole = smoothstep(0.02, 0.15, where);
