@@ -1141,8 +1141,8 @@ export type Progress = { type: "progress"; request: string; done: number; total:
 
 /**
  * Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, poses,
- * head and gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
- * without one) takes that back. It is kept with the show. An `id` executes once, as of those below.
+ * head and gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key`
+ * (the name without one) takes that back. It is kept with the show. An `id` executes once, as of those below.
  */
 export type KeepMemory = { type: "keep_memory"; id: string; name: string; key?: string };
 
