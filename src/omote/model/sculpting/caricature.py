@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Mask, Triangles, Values
 from omote.geometry import mesh
 from omote.geometry.laplacian import smoothing_matrix
+from omote.geometry.ramp import smooth_ramp
 from omote.model.sculpting.regions import fit_with_lids, vertex_areas
 from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
 from omote.model.space.face import Face
@@ -20,6 +21,8 @@ from omote.model.space.face_fit import fit
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.skin_sheet import refuse_axis_outside
+from omote.model.transfer.mouth_bag import find_mouth_bag
+from omote.model.transfer.mouth_bag_fit import place_bag
 
 # Stretches stay within these factors of one in their logarithm per unit of growth: a wrinkle is no form.
 _MOST = np.log(3.0)
@@ -153,6 +156,9 @@ def _middle(points: Values, triangles: Triangles) -> Values:
 
 # The bell under which stretches are averaged, in distances between the eyes.
 _BELL = 0.3
+# Along the mesh from the lips, metres: up to the first the mouth bag grows as the skin does, from the second on it is
+# carried as the teeth are.
+_BAG_METRES = (0.001, 0.028)
 BEHIND = 0.012
 """The back of a caricature's head lies at least so far behind the axis, metres."""
 # How far the back may be moved, and how exactly that is found, metres.
@@ -219,6 +225,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         return fit_with_lids(space, name, skin, parts, {}, face.gains)
     grown = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
     further = stand_around_axis(space, grown, f"{face.name} drawn {amount:g} times")
+    further = _carry_bag(space, skin, further)
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
         parts[part.name] = (
@@ -279,6 +286,17 @@ def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: floa
     size = (radius_of(ball) / radius_of(generic)) ** beyond
     middle = ball.mean(axis=0)
     return middle + moves.mean(axis=0) + size * (ball - middle)
+
+
+def _carry_bag(space: ParameterSpace, skin: Values, further: Values) -> Values:
+    """The skin (V, 3) grown to further (V, 3), the deep end of its mouth bag as far on as the teeth's surroundings are:
+    the bag's own turns and stretches, added up over its length, took the dog's out of its crown."""
+    bag = find_mouth_bag(space)
+    if bag is None:
+        return further
+    deep = smooth_ramp(*_BAG_METRES, bag.distance)[:, None]
+    carried = skin[bag.vertices] + _bell(space, further - skin, space.points[bag.vertices])
+    return place_bag(space, bag, further, further[bag.vertices] + deep * (carried - further[bag.vertices]))
 
 
 def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
