@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Mask, Triangles, Values
 from omote.geometry import mesh
 from omote.geometry.laplacian import smoothing_matrix
+from omote.geometry.proximity import nearest_triangles
 from omote.geometry.ramp import smooth_ramp
 from omote.model.sculpting.regions import fit_with_lids, vertex_areas
 from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
@@ -22,7 +23,6 @@ from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.skin_sheet import refuse_axis_outside
 from omote.model.transfer.mouth_bag import find_mouth_bag
-from omote.model.transfer.mouth_bag_fit import place_bag
 
 # Stretches stay within these factors of one in their logarithm per unit of growth: a wrinkle is no form.
 _MOST = np.log(3.0)
@@ -159,6 +159,12 @@ _BELL = 0.3
 # Along the mesh from the lips, metres: up to the first the mouth bag grows as the skin does, from the second on it is
 # carried as the teeth are.
 _BAG_METRES = (0.001, 0.028)
+# From the first to the second it comes to lie as deep behind the skin as the face's own, as its tongue does, up to
+# _DEEPEST, metres; what is drawn in for that is averaged over so many rings.
+_DEEP_METRES = (0.03, 0.05)
+_DEEPEST = 0.01
+_SPREAD_ROUNDS = 3
+TONGUE = "tongue"
 BEHIND = 0.012
 """The back of a caricature's head lies at least so far behind the axis, metres."""
 # How far the back may be moved, and how exactly that is found, metres.
@@ -225,12 +231,16 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         return fit_with_lids(space, name, skin, parts, {}, face.gains)
     grown = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
     further = stand_around_axis(space, grown, f"{face.name} drawn {amount:g} times")
-    further = _carry_bag(space, skin, further)
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
         parts[part.name] = (
             _extrapolate_ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
         )
+    further = _carry_bag(space, skin, further)
+    if TONGUE in parts:
+        mean = smoothing_matrix(space.parts[TONGUE].triangles, len(parts[TONGUE]))
+        depths = _depths(space, skin, fitted.parts[TONGUE].astype(np.float64))[0]
+        parts[TONGUE] = _keep_depths(space, further, parts[TONGUE], depths, mean)
     wanted = {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in space.eyes}
     lidded = set_ball_heights(further, parts, wanted)
     return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {}, face.gains)
@@ -295,8 +305,43 @@ def _carry_bag(space: ParameterSpace, skin: Values, further: Values) -> Values:
     if bag is None:
         return further
     deep = smooth_ramp(*_BAG_METRES, bag.distance)[:, None]
-    carried = skin[bag.vertices] + _bell(space, further - skin, space.points[bag.vertices])
-    return place_bag(space, bag, further, further[bag.vertices] + deep * (carried - further[bag.vertices]))
+    before = skin[bag.vertices]
+    grown = further[bag.vertices]
+    carried = before + _bell(space, further - skin, space.points[bag.vertices])
+    mean = smoothing_matrix(bag.triangles, len(skin))[bag.vertices][:, bag.vertices]
+    depths = smooth_ramp(*_DEEP_METRES, bag.distance) * _depths(space, skin, before)[0]
+    kept = _keep_depths(space, further, grown + deep * (carried - grown), depths, mean)
+    rows = np.flatnonzero(bag.rows >= 0)
+    result = further.copy()
+    result[space.inner.vertices[rows]] = kept[bag.rows[rows]]
+    return result
+
+
+def _depths(space: ParameterSpace, skin: Values, points: Values) -> tuple[Values, Values]:
+    """How far points (n, 3) that are inside lie behind the nearest skin of (V, 3), (n,) metres, and the ways inward."""
+    corners = skin[space.location_triangles]
+    away, at = nearest_triangles(corners, np.ascontiguousarray(points))
+    return away, -mesh.unit_normals(corners[at])
+
+
+def _keep_depths(space: ParameterSpace, skin: Values, points: Values, depths: Values, mean: sparse.csr_array) -> Values:
+    """Points (n, 3) drawn in until they lie as deep behind the skin (V, 3) as depths (n,) say, up to _DEEPEST, and
+    what is around them with them: a head turns what is in it out of a throat that turns less.
+
+    mean: (n, n), of each point's neighbours.
+    """
+    wanted = np.minimum(depths, _DEEPEST)
+    result = points.copy()
+    for _ in range(_PULL_ROUNDS):
+        away, inward = _depths(space, skin, result)
+        missing = np.maximum(wanted - away, 0.0)
+        if missing.max() < _EXACT:
+            break
+        push = missing[:, None] * inward
+        for _ in range(_SPREAD_ROUNDS):
+            push = mean @ push
+        result += push
+    return result
 
 
 def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
