@@ -104,6 +104,15 @@ def test_closed_lips_of_dog_and_cat_lie_as_near_beside_the_corners_as_the_generi
         assert widest(name) < widest("generic"), name
 
 
+def test_a_dogs_chin_lies_under_its_lip() -> None:
+    """The lip stood 19 mm before it, a plank over the lower jaw."""
+    lip, chin = (
+        int(np.abs(CAST.space.points - at).sum(axis=1).argmin()) for at in ([0, -0.076, 0.156], [0, -0.1, 0.148])
+    )
+    ahead = CAST.faces["dog"].positions[:, 2]
+    assert 0.0 < ahead[lip] - ahead[chin] < 0.014
+
+
 def test_eyes_of_dog_and_cat_are_larger_and_rounder_than_peoples() -> None:
     lids = next(line for line in CAST.space.lines if line.name == "lid_left")
 

@@ -13,6 +13,8 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Mask, Triangles, Values
 from omote.geometry import mesh
 from omote.geometry.laplacian import smoothing_matrix
+from omote.geometry.proximity import nearest_triangles
+from omote.geometry.ramp import smooth_ramp
 from omote.model.sculpting.regions import fit_with_lids, vertex_areas
 from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
 from omote.model.space.face import Face
@@ -20,6 +22,7 @@ from omote.model.space.face_fit import fit
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.skin_sheet import refuse_axis_outside
+from omote.model.transfer.mouth_bag import find_mouth_bag
 
 # Stretches stay within these factors of one in their logarithm per unit of growth: a wrinkle is no form.
 _MOST = np.log(3.0)
@@ -153,6 +156,15 @@ def _middle(points: Values, triangles: Triangles) -> Values:
 
 # The bell under which stretches are averaged, in distances between the eyes.
 _BELL = 0.3
+# Along the mesh from the lips, metres: up to the first the mouth bag grows as the skin does, from the second on it is
+# carried as the teeth are.
+_BAG_METRES = (0.001, 0.028)
+# From the first to the second it comes to lie as deep behind the skin as the face's own, as its tongue does, up to
+# _DEEPEST, metres; what is drawn in for that is averaged over so many rings.
+_DEEP_METRES = (0.03, 0.05)
+_DEEPEST = 0.01
+_SPREAD_ROUNDS = 3
+TONGUE = "tongue"
 BEHIND = 0.012
 """The back of a caricature's head lies at least so far behind the axis, metres."""
 # How far the back may be moved, and how exactly that is found, metres.
@@ -224,6 +236,11 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         parts[part.name] = (
             _extrapolate_ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
         )
+    further = _carry_bag(space, skin, further)
+    if TONGUE in parts:
+        mean = smoothing_matrix(space.parts[TONGUE].triangles, len(parts[TONGUE]))
+        depths = _depths(space, skin, fitted.parts[TONGUE].astype(np.float64))[0]
+        parts[TONGUE] = _keep_depths(space, further, parts[TONGUE], depths, mean)
     wanted = {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in space.eyes}
     lidded = set_ball_heights(further, parts, wanted)
     return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {}, face.gains)
@@ -279,6 +296,52 @@ def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: floa
     size = (radius_of(ball) / radius_of(generic)) ** beyond
     middle = ball.mean(axis=0)
     return middle + moves.mean(axis=0) + size * (ball - middle)
+
+
+def _carry_bag(space: ParameterSpace, skin: Values, further: Values) -> Values:
+    """The skin (V, 3) grown to further (V, 3), the deep end of its mouth bag as far on as the teeth's surroundings are:
+    the bag's own turns and stretches, added up over its length, took the dog's out of its crown."""
+    bag = find_mouth_bag(space)
+    if bag is None:
+        return further
+    deep = smooth_ramp(*_BAG_METRES, bag.distance)[:, None]
+    before = skin[bag.vertices]
+    grown = further[bag.vertices]
+    carried = before + _bell(space, further - skin, space.points[bag.vertices])
+    mean = smoothing_matrix(bag.triangles, len(skin))[bag.vertices][:, bag.vertices]
+    depths = smooth_ramp(*_DEEP_METRES, bag.distance) * _depths(space, skin, before)[0]
+    kept = _keep_depths(space, further, grown + deep * (carried - grown), depths, mean)
+    rows = np.flatnonzero(bag.rows >= 0)
+    result = further.copy()
+    result[space.inner.vertices[rows]] = kept[bag.rows[rows]]
+    return result
+
+
+def _depths(space: ParameterSpace, skin: Values, points: Values) -> tuple[Values, Values]:
+    """How far points (n, 3) that are inside lie behind the nearest skin of (V, 3), (n,) metres, and the ways inward."""
+    corners = skin[space.location_triangles]
+    away, at = nearest_triangles(corners, np.ascontiguousarray(points))
+    return away, -mesh.unit_normals(corners[at])
+
+
+def _keep_depths(space: ParameterSpace, skin: Values, points: Values, depths: Values, mean: sparse.csr_array) -> Values:
+    """Points (n, 3) drawn in until they lie as deep behind the skin (V, 3) as depths (n,) say, up to _DEEPEST, and
+    what is around them with them: a head turns what is in it out of a throat that turns less.
+
+    mean: (n, n), of each point's neighbours.
+    """
+    wanted = np.minimum(depths, _DEEPEST)
+    result = points.copy()
+    for _ in range(_PULL_ROUNDS):
+        away, inward = _depths(space, skin, result)
+        missing = np.maximum(wanted - away, 0.0)
+        if missing.max() < _EXACT:
+            break
+        push = missing[:, None] * inward
+        for _ in range(_SPREAD_ROUNDS):
+            push = mean @ push
+        result += push
+    return result
 
 
 def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:

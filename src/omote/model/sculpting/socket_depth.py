@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Floats, Values
+from omote.geometry import mesh
+from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.socket_skin import SocketLining, find_socket_lining, measure_depth_behind
@@ -58,5 +60,21 @@ def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
 
 def mend_lining(space: ParameterSpace, face: Face, /) -> Face:
     """A face with the lining of its sockets in order; itself where that is so. space: the space of the generic head."""
-    positions = fit_lining_at_rest(space, face.positions)
+    positions = _tuck_rims(space, fit_lining_at_rest(space, face.positions))
     return face if positions is face.positions else replace(face, positions=positions)
+
+
+def _tuck_rims(space: ParameterSpace, positions: Floats) -> Floats:
+    """A face at rest (V, 3) with rims of lids that have come through the skin of a lid put behind it; out through the
+    eye's opening they may be."""
+    lining = find_socket_lining(space)
+    if lining is None:
+        return positions
+    result = positions.astype(np.float64)
+    rims = lining.vertices[~lining.hidden]
+    corners = result[space.location_triangles]
+    away, at = nearest_triangles(corners, result[rims])
+    rows = np.flatnonzero((at < len(space.sheet_triangles)) & (away > SHALLOW_METRES))
+    out = rows[winding_numbers(corners, result[rims[rows]]) < 0.5]
+    result[rims[out]] -= (away[out] + SHALLOW_METRES)[:, None] * mesh.unit_normals(corners[at[out]])
+    return np.asarray(result[space.welded], np.float32) if len(out) else positions
