@@ -195,6 +195,28 @@ def test_a_pad_is_made_of_tiles_edited_on_air_and_taken_back(open_page: OpenPage
     wait_until(page, f"{DESK}.newest('pad_list').pads.some(({{name}}) => name === 'my-faces')")
 
 
+def test_a_pad_of_poses_is_made_of_tiles_and_plays_the_figure(open_page: OpenPage) -> None:
+    page = console(open_page)
+    page.evaluate(f"{DESK}.arrange({{ kind: 'poses' }})")
+    page.get_by_role("button", name="New pad …").click()
+    page.get_by_label("Name of the new pad").fill("moves")
+    page.get_by_label("What it plays").select_option("pose")
+    page.get_by_role("button", name="Make").click()
+    target = {"x": 20.0, "y": 20.0}
+    page.locator("omote-pose-tiles .tile[data-name=bow]").drag_to(field(page, "moves"), target_position=target)
+    wait_until(page, f"{DESK}.newest('pad_list').pads.some(({{name}}) => name === 'moves')")
+    page.get_by_label("Add a look: search poses").fill("wave")
+    page.keyboard.press("Enter")
+    wait_until(page, f"{DESK}.newest('pad_list').pads.find(({{name}}) => name === 'moves').looks.length === 3")
+    x, y = looks(page, "moves")["Bow"]
+    page.locator("[data-pad=moves] .done").click()
+    press(page, *at(page, "moves", x, y))
+    wait_until(page, f"({DESK}.air.figure?.poses.bow ?? 0) > 0.9")
+    page.mouse.up()
+    page.locator("[data-pad=moves]").get_by_role("button", name="Rest").click()
+    wait_until(page, f"{DESK}.air.figure?.poses.stand === 1")
+
+
 def test_one_person_plays_two_pads_by_two_thumbs_cues_and_panic(open_page: OpenPage) -> None:
     page = open_page("/solo", pictures=False, width=1024, height=768, has_touch=True)
     wait_until(

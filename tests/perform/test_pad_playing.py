@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -242,3 +243,46 @@ def test_what_is_no_pad_is_refused(cast: Cast) -> None:
         Performer(cast).move_pad("mouth", 0.5)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="has 1 dimensions and no y"):
         Performer(cast).move_pad(MOUTH, 0.5, 0.5)
+
+
+POSES = Pad(
+    "moves",
+    "pose",
+    1,
+    (PadLook("Stand", {"stand": 1.0}, (-1.0,)), PadLook("Bow", {"bow": 1.0}, (1.0,))),
+)
+
+
+def test_a_pad_of_poses_plays_the_figure_and_takes_its_regions_along_until_it_is_called_away(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.call_pose("wave", seconds=0.0, region="arm_left")
+    performer.move_pad(POSES, 0.0)
+    figure = performer.advance(1.0).figure
+    assert figure is not None
+    assert (figure.poses, dict(figure.regions)) == ({"stand": 0.5, "bow": 0.5}, {})
+    again = Performer.restored(cast, performer.snapshot())
+    again.wear_pads({"moves": POSES})
+    for each in (performer, again):
+        each.move_pad(POSES, 1.0)
+    assert performer.advance(0.1) == again.advance(0.1)
+    assert performer.advance(1.0).figure == again.advance(1.0).figure
+
+    performer.call_pose("wave", seconds=0.0, region="arm_right")  # a call takes one region away
+    performer.move_pad(POSES, 0.0)
+    frame = performer.advance(1.0)
+    assert frame.figure is not None
+    assert frame.pads["moves"].plays
+    assert (frame.figure.poses["bow"], dict(frame.figure.regions)) == (0.5, {"arm_right": {"wave": 1.0}})
+    performer.wear_pads({"other": replace(POSES, name="other")}, {"moves": "other"})
+    assert performer.advance(0.0).pads["other"].plays
+    performer.panic()
+    stopped = performer.advance(PANIC_SECONDS)
+    assert stopped.pads == {}
+    assert stopped.figure == performer.advance(1.0).figure
+
+
+def test_a_pose_that_a_cast_lacks_counts_as_the_stand(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.move_pad(replace(POSES, looks=(*POSES.looks[:1], PadLook("Gone", {"gone": 1.0}, (1.0,)))), 1.0)
+    assert performer.advance(1.0).figure is not None
+    assert performer.advance(0.0).figure.poses == {"stand": 1.0}  # type: ignore[union-attr]

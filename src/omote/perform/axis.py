@@ -376,6 +376,11 @@ Region = TypeVar("Region", bound=str)
 """Of a face or of a figure."""
 
 
+def plays_same_pad(region: Axis, whole: Axis) -> bool:
+    """Whether a region is on its way to what the pad of the whole shows."""
+    return region.point is not None and whole.point is not None and region.point.pad == whole.point.pad
+
+
 def call_regions(
     regions: Mapping[Region, Axis], face: Axis, call: Callable[[Axis], Axis]
 ) -> dict[Region, Axis]:  # fmt: skip

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from typing import TypeVar
 
-from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS, PlayRegion
+from omote.model.body.pose import STAND
+from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.figure_axes import AT_REST, FigureAxes
 from omote.perform.frame import PadStatus, with_fields
 from omote.perform.mappings.renamed_pads import mappings_after_rename
 from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
 from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS, TAKE_UP_SECONDS
+from omote.perform.snapshot import Snapshot
 
+Region = TypeVar("Region", bound=str)
 NO_PADS: Mapping[str, Pad] = {}
 
 
@@ -109,6 +114,7 @@ class PadPlaying(CalledMix):
             face=worn("face", now.face),
             expression=worn("expression", now.expression),
             regions={region: worn(region, on) for region, on in now.regions.items()},
+            figure=now.figure and on_poses(now.figure, lambda on: worn("pose", on)),
         )
 
     def _rename_in_mappings(self, renamed: Mapping[str, str]) -> None:
@@ -145,13 +151,25 @@ class PadPlaying(CalledMix):
             takes = along or now.expression.point is None or now.expression.point.pad != pad.name
             regions = call_regions(now.regions, now.expression, play) if takes else _played(now.regions, pad.name, play)
             return {"pads": pads, "expression": play(now.expression), "regions": regions}
+        if pad.part == "pose":
+            return {"pads": pads, "figure": self._posed(pad.name, play, along=along)}
         region = pad.part
         return {"pads": pads, "regions": {**now.regions, region: play(now.regions.get(region, now.expression))}}
+
+    def _posed(self, pad: str, play: Callable[[Axis], Axis], *, along: bool) -> FigureAxes:
+        """The figure where the point of a pad of poses is moved: taken up, it takes all regions along. pad: its name;
+        play, along: as of `_moved`."""
+        here = self._now.figure or AT_REST
+        takes = along or here.pose.point is None or here.pose.point.pad != pad
+        regions = call_regions(here.regions, here.pose, play) if takes else _played(here.regions, pad, play)
+        return with_fields(here, pose=play(here.pose), regions=regions)
 
     def _mix(self, pad: Pad, place: PadPlace) -> dict[str, float]:
         """What a pad shows at a place, of what the cast has."""
         if pad.part == "face":
             return mix_of_place(pad, place, self._cast.faces, instead=GENERIC)
+        if pad.part == "pose":
+            return mix_of_place(pad, place, self._cast.poses, instead=STAND)
         return mix_of_place(pad, place, self._cast.expressions, instead=NEUTRAL)
 
     def _pad_statuses(self) -> dict[str, PadStatus]:
@@ -159,11 +177,22 @@ class PadPlaying(CalledMix):
         now = self._now
         if not now.pads:
             return {}
-        points = [on.point for on in (now.face, now.expression, *now.regions.values()) if on.point is not None]
-        playing = {point.pad for point in points}
+        playing = {on.point.pad for on in axes_of_pads(now) if on.point is not None}
         return {name: PadStatus(place, name in playing) for name, place in now.pads.items()}
 
 
-def _played(regions: Mapping[PlayRegion, Axis], pad: str, play: Callable[[Axis], Axis]) -> Mapping[PlayRegion, Axis]:
-    """The regions where a pad of the whole face is moved on: those that it plays go with it. play: what moves one."""
+def axes_of_pads(now: Snapshot) -> Iterable[Axis]:
+    """All of a performer that pads can play. now: as it is."""
+    figure = () if now.figure is None else (now.figure.pose, *now.figure.regions.values())
+    return (now.face, now.expression, *now.regions.values(), *figure)
+
+
+def on_poses(figure: FigureAxes, change: Callable[[Axis], Axis]) -> FigureAxes:
+    """A figure with its poses, of the whole and of regions, changed. change: of an axis."""
+    regions = {region: change(on) for region, on in figure.regions.items()}
+    return with_fields(figure, pose=change(figure.pose), regions=regions)
+
+
+def _played(regions: Mapping[Region, Axis], pad: str, play: Callable[[Axis], Axis]) -> Mapping[Region, Axis]:
+    """The regions where a pad of the whole is moved on: those that it plays go with it. play: what moves one."""
     return {region: play(on) if on.point is not None and on.point.pad == pad else on for region, on in regions.items()}

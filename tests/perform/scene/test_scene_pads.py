@@ -15,6 +15,7 @@ from omote.perform.mix import Weights
 from omote.perform.pads.blend_space import Pad, PadLook
 from omote.perform.pads.kept_pads import NO_PADS
 from omote.perform.scene.cast_pads import cast_pads
+from omote.perform.scene.goals import POSE_PARTS
 from omote.perform.scene.pad_goals import goal_of_point
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import SceneSnapshot
@@ -234,3 +235,15 @@ def test_a_look_that_a_cast_lacks_is_neutral_and_comes_with_it(scene: Scene, cas
 def test_what_is_no_pad_is_refused(scene: Scene) -> None:
     with pytest.raises(TypeError, match="the pad is a str"):
         scene.set_pad("mood")  # type: ignore[arg-type]
+
+
+def test_the_goal_of_a_pose_is_the_point_of_the_pad_that_plays_it(scene: Scene) -> None:
+    looks = (PadLook("Stand", {"stand": 1.0}, (-1.0,)), PadLook("Bow", {"bow": 1.0}, (1.0,)))
+    scene.set_pad(Pad("moves", "pose", 1, looks))
+    goal = goal_of_point("moves", (0.5,))
+    scene.call_goal("one/pose", goal, seconds=1.0)
+    scene.advance(2.0)
+    assert scene.goal_of("one/pose") == goal
+    assert all(scene.goal_of(f"one/{part}") == {} for part in POSE_PARTS)
+    with pytest.raises(ValueError, match="plays the pose, not the expression"):
+        scene.call_goal("one/expression", goal)

@@ -835,9 +835,9 @@ export type MappingList = {
 };
 
 /**
- * Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12
- * `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One
- * of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
+ * Keeps a pad: the `part` that it plays (`face`, `expression`, a region of that, or `pose`), 1 to 3 `dimensions`, 2
+ * to 12 `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1.
+ * One of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
  * `restore_pad` with the `key` (the name without one) takes it back; with a key several changes, one after the other,
  * together. An `id` executes once, as of those below.
  */
@@ -845,7 +845,7 @@ export type SetPad = {
   type: "set_pad";
   id: string;
   name: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest" | "pose";
   dimensions: number;
   looks: PadLook[];
   key?: string;
@@ -878,7 +878,7 @@ export type RestorePad = { type: "restore_pad"; id: string; key: string };
 /** A pad, as of `set_pad`. `missing`: the names of its looks that the cast does not have; they count as neutral. */
 export type PadState = {
   name: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "rest" | "pose";
   dimensions: number;
   looks: PadLook[];
   missing: string[];

@@ -14,8 +14,8 @@ from omote.arrays import Values
 from omote.perform.limits import check_known, check_within
 from omote.perform.mix import Weights, combine
 
-PadPart = Literal["face", "expression", "brows", "eyes", "mouth", "rest"]
-"""What a pad plays: the faces, the expressions of the whole face, or those of one region of it."""
+PadPart = Literal["face", "expression", "brows", "eyes", "mouth", "rest", "pose"]
+"""What a pad plays: the faces, the expressions of the whole face or of one region of it, or the poses of the figure."""
 PAD_PARTS: tuple[PadPart, ...] = get_args(PadPart)
 PadPlace = tuple[float, ...]
 """A number for each dimension, as far as a stick goes."""
@@ -48,7 +48,7 @@ class PadLook:
     label : str
         What people read there, 1 to 40 letters.
     mix : mapping of float
-        Weights by name, 0 to 1, together 1: of expressions, of faces where the pad plays faces.
+        Weights by name, 0 to 1, together 1: of expressions, of faces or poses where the pad plays those.
     place : tuple of float
         A number for each dimension of the pad, -1 to 1.
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from omote.model.body.pose_regions import check_pose_region
-from omote.perform.axis import Axis, call_part, called_to_mix, goal_of, with_pace
+from omote.perform.axis import Axis, call_part, called_to_mix, goal_of, plays_same_pad, with_pace
 from omote.perform.figures.figure_axes import AT_REST, FigureAxes
 from omote.perform.scene.goals import BODY, POSE, POSE_PART, WITH_FACE, Goal
 
@@ -22,7 +22,7 @@ def figure_goal(figure: FigureAxes | None, name: str, mix: Callable[[Axis], Goal
     if name == POSE:
         return dict(mix(here.pose))
     own = here.regions.get(check_pose_region(name.removeprefix(POSE_PART)))
-    return WITH_FACE if own is None else dict(mix(own))
+    return WITH_FACE if own is None or plays_same_pad(own, here.pose) else dict(mix(own))
 
 
 def called_figure(

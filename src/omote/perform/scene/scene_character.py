@@ -12,6 +12,7 @@ from omote.perform.axis import (
     call_part,
     called_to_mix,
     goal_of,
+    plays_same_pad,
     repaced,
     standing_mix,
     weights,
@@ -28,6 +29,7 @@ from omote.perform.limits import check_known
 from omote.perform.mappings.macro_vectors import move_macro
 from omote.perform.mappings.mapping import MACRO_LIMITS
 from omote.perform.motion.sight import NOTHING, Sight
+from omote.perform.pad_playing import axes_of_pads
 from omote.perform.pads.blend_space import AXES, PLACE_RANGE, Pad, PadPlace
 from omote.perform.pads.pad_point import TAKE_UP_SECONDS, PadPoint
 from omote.perform.panic import eased, without_channels, without_turn
@@ -245,7 +247,7 @@ class SceneCharacter(Performer):
             return figure_goal(now.figure, name, mix)
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
-            return WITH_FACE if own is None or _same_pad(own, now.expression) else dict(mix(own))
+            return WITH_FACE if own is None or plays_same_pad(own, now.expression) else dict(mix(own))
         return dict(mix(now.face if name == "face" else now.expression))
 
     def _call_point(self, name: str, place: PadPlace, seconds: float, easing: str, pace: float | None) -> None:
@@ -285,8 +287,7 @@ class SceneCharacter(Performer):
 
     def _plays(self, pad: str) -> bool:
         """Whether a pad plays anything of the character."""
-        axes = (self._now.face, self._now.expression, *self._now.regions.values())
-        return any(on.point is not None and on.point.pad == pad for on in axes)
+        return any(on.point is not None and on.point.pad == pad for on in axes_of_pads(self._now))
 
     def _place_of(self, point: PadPoint) -> PadPlace:
         """Where the point of a pad goes, or is."""
@@ -445,11 +446,6 @@ class SceneCharacter(Performer):
 
 def _numbers(place: PadPlace) -> dict[str, float]:
     return dict(zip(AXES, place, strict=False))
-
-
-def _same_pad(region: Axis, whole: Axis) -> bool:
-    """Whether a region is on its way to what the pad of the whole face shows."""
-    return region.point is not None and whole.point is not None and region.point.pad == whole.point.pad
 
 
 def _widened(way: Movement | None, shown: Mapping[str, float], names: Iterable[str]) -> Movement:

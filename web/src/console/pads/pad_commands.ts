@@ -5,7 +5,7 @@ import type { PadLook, PadState } from "../../link/messages";
 import { randomId } from "../../ui/browser_storage";
 import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
-import { freeLabel, freeName, type PadContent, restOf, shownMix, withLook } from "./pad_layout";
+import { freeLabel, freeName, kindOf, type PadContent, restOf, shownMix, withLook } from "./pad_layout";
 
 /** Milliseconds between two messages of a look that is dragged: the show follows their steps in 60. */
 export const DRAG_PACE = 50;
@@ -107,7 +107,7 @@ export class PadCommands {
     const mix = air === null ? null : shownMix(pad.part, air);
     if (mix === null) return null;
     const [heaviest = restOf(pad.part)] = Object.keys(mix);
-    const label = this.store.label(pad.part === "face" ? "face" : "expression", heaviest);
+    const label = this.store.label(kindOf(pad.part), heaviest);
     return {
       label: freeLabel(Object.keys(mix).length > 1 ? `${label} mix` : label, pad.looks),
       mix,

@@ -24,7 +24,7 @@ export function coverOf(
   air: Pick<CharacterState, "layers" | "regions" | "expressions">,
   sources: readonly SourceState[],
 ): PadCover {
-  const played = part === "face" ? [] : part === "expression" ? PLAY_REGIONS : [part];
+  const played = part === "face" || part === "pose" ? [] : part === "expression" ? PLAY_REGIONS : [part];
   const covered = played.flatMap((region) => {
     const who = hasStepped(air, region) ? whoCovers(region, air as CharacterState, sources) : null;
     return who === null ? [] : [[region, who] as const];

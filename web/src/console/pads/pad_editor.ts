@@ -9,12 +9,23 @@ import { base } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { CARRIED, type CarriedLook } from "../palette/look_carry";
 import { carries, droppedLook } from "../palette/look_drag";
+import { posesFound } from "../palette/pose_commands";
 import { foundIn } from "../palette/tile_groups";
-import type { Axis } from "../store/axis";
+import type { LookKind } from "../store/axis";
 import { PadCommands, type PadDrag } from "./pad_commands";
 import { padEditorStyle } from "./pad_editor_style";
 import { across, PadFieldElement, placeAt, wayOf } from "./pad_field";
-import { freeLabel, nameTaken, type PadContent, padName, roomiest, scaled, spread, withMoved } from "./pad_layout";
+import {
+  freeLabel,
+  kindOf,
+  nameTaken,
+  type PadContent,
+  padName,
+  roomiest,
+  scaled,
+  spread,
+  withMoved,
+} from "./pad_layout";
 import { padStyle } from "./pad_style";
 
 /** A pointer this near to a look (of the pad's width) takes it along. */
@@ -65,8 +76,8 @@ export class PadEditor extends PadFieldElement {
     return new PadCommands(this.store);
   }
 
-  get #axis(): Axis {
-    return this.pad.part === "face" ? "face" : "expression";
+  get #kind(): LookKind {
+    return kindOf(this.pad.part);
   }
 
   get #index(): number {
@@ -79,7 +90,7 @@ export class PadEditor extends PadFieldElement {
       <div class="body"><div class="well"><div class="square"><div class="field ${this.over ? "over" : ""}" role="group" tabindex="0" aria-label="Looks of ${this.pad.name}"
           @keydown=${this.#lookKey} @dragover=${this.#dragOver} @dragleave=${this.#dragOut} @drop=${this.#drop}>
           ${this.ground}<div class="carrier dot"></div>${looks.map((look, at) => this.picture(look, at))}
-          ${looks.length < FEWEST_LOOKS ? html`<p class="hint">Drag ${this.#axis}s here, or search: a pad has two looks at least.</p>` : nothing}
+          ${looks.length < FEWEST_LOOKS ? html`<p class="hint">Drag ${this.#kind}s here, or search: a pad has two looks at least.</p>` : nothing}
         </div>${this.depthSlider}</div></div>
         <div class="tools">${this.naming === "" ? this.#tools() : this.#nameField()}</div></div>`;
   }
@@ -88,7 +99,7 @@ export class PadEditor extends PadFieldElement {
     const none = this.#index < 0;
     const few = this.looks.length < FEWEST_LOOKS;
     return html`<div class="search">
-        <input type="search" placeholder="Add look …" aria-label="Add a look: search ${this.#axis}s" .value=${this.search}
+        <input type="search" placeholder="Add look …" aria-label="Add a look: search ${this.#kind}s" .value=${this.search}
           @input=${(event: Event) => (this.search = textOf(event))} @keydown=${this.#searchKey} />
         ${this.search.trim() === "" ? nothing : html`<div class="found">${this.#found.map((tile, at) => html`<button class=${at === 0 ? "first" : ""} data-add=${tile.name} @click=${() => this.#add(tile.name)}>${tile.label}</button>`)}</div>`}
       </div>
@@ -117,7 +128,8 @@ export class PadEditor extends PadFieldElement {
   }
 
   get #found() {
-    return foundIn(this.#axis === "face" ? this.store.faces : this.store.expressions, this.search).slice(0, MOST_FOUND);
+    if (this.#kind === "pose") return posesFound(this.store, this.search).slice(0, MOST_FOUND);
+    return foundIn(this.#kind === "face" ? this.store.faces : this.store.expressions, this.search).slice(0, MOST_FOUND);
   }
 
   override focus(): void {
@@ -252,7 +264,7 @@ export class PadEditor extends PadFieldElement {
   };
 
   readonly #dragOver = (event: DragEvent): void => {
-    if (!carries(event, this.#axis)) return;
+    if (!carries(event, this.#kind)) return;
     event.preventDefault();
     this.over = true;
   };
@@ -263,7 +275,7 @@ export class PadEditor extends PadFieldElement {
 
   readonly #drop = (event: DragEvent): void => {
     this.over = false;
-    const name = droppedLook(event, this.#axis);
+    const name = droppedLook(event, this.#kind);
     if (name === "") return;
     event.preventDefault();
     this.#addAt(name, event.clientX, event.clientY);
@@ -271,22 +283,22 @@ export class PadEditor extends PadFieldElement {
 
   /** A finger carries a tile over it, and lets it go. */
   readonly #carried = (event: Event): void => {
-    const { axis, name, x, y } = (event as CustomEvent<CarriedLook>).detail;
-    if (axis !== this.#axis) return;
+    const { kind, name, x, y } = (event as CustomEvent<CarriedLook>).detail;
+    if (kind !== this.#kind) return;
     this.over = event.type === CARRIED.over;
     if (event.type === CARRIED.drop) this.#addAt(name, x, y);
   };
 
-  /** Puts a face or an expression where it was dropped, in pixels of the page. */
+  /** Puts a face, an expression or a pose where it was dropped, in pixels of the page. */
   #addAt(name: string, left: number, top: number): void {
     const [x, y] = placeIn(this.field.getBoundingClientRect(), left, top, [0.5, 0.5]);
     const flat = [placeAt(x), placeAt(y)].slice(0, this.pad.dimensions);
     this.#add(name, this.pad.dimensions === 3 ? [...flat, this.depth()] : flat);
   }
 
-  /** Puts a face or an expression on the pad: where it was dropped, or where there is most room. */
+  /** Puts a face, an expression or a pose on the pad: where it was dropped, or where there is most room. */
   #add(name: string, place: readonly number[] = roomiest(this.looks, this.pad.dimensions)): void {
-    const label = freeLabel(this.store.label(this.#axis, name), this.looks);
+    const label = freeLabel(this.store.label(this.#kind, name), this.looks);
     this.search = "";
     this.#addLook({ label, mix: { [name]: 1 }, place: place.map((at) => Math.max(-1, Math.min(1, at))) });
   }

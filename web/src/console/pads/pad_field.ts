@@ -3,14 +3,14 @@
 import { html, nothing } from "lit";
 import { property, query, queryAll, state } from "lit/decorators.js";
 import type { PadLook } from "../../link/messages";
-import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
+import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { AnimatedElement } from "../controls/console_element";
 import { ModelFace } from "../palette/model_face";
 import { PAD_AXES, type PadAxis } from "../store/knob";
 import type { Topic } from "../store/page_store";
 import { type PadPlace, softBands } from "./blend_space";
 import { drawFields, lookColour } from "./pad_colours";
-import { heaviest, PART_WORDS, type PadContent, restOf } from "./pad_layout";
+import { heaviest, kindOf, PART_WORDS, type PadContent, restOf } from "./pad_layout";
 
 /** Of a field's width: what lies around the way of the point, so that pictures at its ends have room. */
 const MARGIN = 0.1;
@@ -102,12 +102,17 @@ export abstract class PadFieldElement extends AnimatedElement {
 
   #ask(picture: HTMLElement): void {
     const { name = "" } = picture.dataset;
-    const isFace = this.pad.part === "face";
-    const all = isFace ? this.store.faces : this.store.expressions;
-    const source = all.find((each) => each.name === name)?.source ?? (isFace ? "generic" : "neutral");
+    this.context.thumbnails.ask(picture.querySelector("canvas") as HTMLCanvasElement, this.#subject(name));
+  }
+
+  /** What the picture of a look shows of which this name weighs most. */
+  #subject(name: string): ThumbnailSubject {
+    const kind = kindOf(this.pad.part);
     const face = this.store.faces.find((each) => each.name === this.model)?.source ?? this.model;
-    const subject = isFace ? { face: source, expression: "neutral" } : { face, expression: source };
-    this.context.thumbnails.ask(picture.querySelector("canvas") as HTMLCanvasElement, subject);
+    if (kind === "pose") return { face, expression: "neutral", pose: name };
+    const all = kind === "face" ? this.store.faces : this.store.expressions;
+    const source = all.find((each) => each.name === name)?.source ?? restOf(this.pad.part);
+    return kind === "face" ? { face: source, expression: "neutral" } : { face, expression: source };
   }
 
   paint(now: number): void {

@@ -108,6 +108,7 @@ describe("what a pad is told", () => {
       faces: { generic: 1 },
       expressions: { joy: 0.75, sad: 0.252, fear: -0.002 },
       regions: { mouth: { pout: 1 } },
+      figure: null,
     };
     const mix = shownMix("expression", air) as Record<string, number>;
     expect(Object.keys(mix)).toEqual(["joy", "sad"]);
@@ -115,6 +116,10 @@ describe("what a pad is told", () => {
     expect(shownMix("mouth", air)).toEqual({ pout: 1 });
     expect(shownMix("brows", air)).toEqual(mix);
     expect(shownMix("face", { ...air, faces: {} })).toBeNull();
+    expect(shownMix("pose", air)).toEqual({ stand: 1 });
+    const poses = { bow: 0.25, stand: 0.75 };
+    const figure = { poses, regions: {}, bodies: {}, pose_call: null, region_calls: {}, body_call: null, fader: 0 };
+    expect(shownMix("pose", { ...air, figure })).toEqual(poses);
   });
 
   it("gives names that an address can have", () => {

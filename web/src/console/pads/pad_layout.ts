@@ -3,13 +3,14 @@
 import { LEAST_APART, MOST_LOOKS } from "../../link/constants";
 import type { CharacterState, PadLook, PadState } from "../../link/messages";
 import { within } from "../../ui/travel";
+import type { LookKind } from "../store/axis";
 import type { PadPlace } from "./blend_space";
 
-/** What a pad plays: faces, or expressions of the whole face or of one region. */
+/** What a pad plays: faces, expressions of the whole face or of one region, or poses of the figure. */
 export type PadPart = PadState["part"];
 /** A pad that is made or changed. */
 export type PadContent = Pick<PadState, "name" | "part" | "dimensions"> & { readonly looks: readonly PadLook[] };
-export const PAD_PARTS: readonly PadPart[] = ["expression", "brows", "eyes", "mouth", "rest", "face"];
+export const PAD_PARTS: readonly PadPart[] = ["expression", "brows", "eyes", "mouth", "rest", "face", "pose"];
 export const PART_WORDS: Readonly<Record<PadPart, string>> = {
   face: "faces",
   expression: "expressions",
@@ -17,7 +18,11 @@ export const PART_WORDS: Readonly<Record<PadPart, string>> = {
   eyes: "eyes",
   mouth: "mouth",
   rest: "rest of the face",
+  pose: "poses of the figure",
 };
+
+/** What the looks of a pad are made of. */
+export const kindOf = (part: PadPart): LookKind => (part === "face" || part === "pose" ? part : "expression");
 const WAY = { low: -1, high: 1 };
 /** A little more than that, for numbers are rounded on their way. */
 const APART = LEAST_APART * 1.001;
@@ -34,7 +39,9 @@ const MOST_NAMES = 24;
 export const apart = (a: PadPlace, b: PadPlace): number => Math.hypot(...a.map((at, axis) => at - (b[axis] as number)));
 
 /** What a name shows where nothing is played. */
-export const restOf = (part: PadPart): string => (part === "face" ? "generic" : "neutral");
+export const restOf = (part: PadPart): string => RESTS[kindOf(part)];
+
+const RESTS: Readonly<Record<LookKind, string>> = { face: "generic", expression: "neutral", pose: "stand" };
 
 /** Where the point goes that is put back: to the look at rest, or where there is none to the middle. */
 export function neutralPlace({ part, dimensions, looks }: Omit<PadContent, "name">): number[] {
@@ -141,16 +148,24 @@ export function scaled(looks: readonly PadLook[], factor: number): readonly PadL
 /** What shows of what a pad plays, as a look's mix; null where nothing does. */
 export function shownMix(
   part: PadPart,
-  air: Pick<CharacterState, "faces" | "expressions" | "regions">,
+  air: Pick<CharacterState, "faces" | "expressions" | "regions" | "figure">,
 ): Record<string, number> | null {
-  const all =
-    part === "face" ? air.faces : part === "expression" ? air.expressions : (air.regions[part] ?? air.expressions);
+  const all = mixOf(part, air);
   const shown = Object.entries(all)
     .filter(([, weight]) => weight >= LEAST_SHOWN)
     .sort(([, x], [, y]) => y - x)
     .slice(0, MOST_NAMES);
   const total = shown.reduce((sum, [, weight]) => sum + weight, 0);
   return total === 0 ? null : Object.fromEntries(shown.map(([name, weight]) => [name, weight / total]));
+}
+
+function mixOf(
+  part: PadPart,
+  { faces, expressions, regions, figure }: Pick<CharacterState, "faces" | "expressions" | "regions" | "figure">,
+): Record<string, number> {
+  if (part === "face") return faces;
+  if (part === "pose") return figure?.poses ?? { [restOf(part)]: 1 };
+  return part === "expression" ? expressions : (regions[part] ?? expressions);
 }
 
 /** A name that a pad can have, as near to what was typed as addresses of OSC allow; "" for nothing of it. */

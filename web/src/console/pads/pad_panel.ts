@@ -10,7 +10,7 @@ import { whileShown } from "../../ui/topic_element";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 import { PadCommands, padsOf } from "./pad_commands";
-import { freeName, PAD_PARTS, PART_WORDS, type PadContent, type PadPart, padName, restOf } from "./pad_layout";
+import { freeName, kindOf, PAD_PARTS, PART_WORDS, type PadContent, type PadPart, padName, restOf } from "./pad_layout";
 import { padPanelStyle } from "./pad_panel_style";
 import "./blend_pad";
 import type { NextPad } from "./pad_editor";
@@ -112,7 +112,7 @@ export class PadPanel extends ConsoleElement {
     if (name === "") return;
     const [part, dimensions] = [given.get("part") as PadPart, Number(given.get("dimensions"))];
     const rest = restOf(part);
-    const label = this.store.label(part === "face" ? "face" : "expression", rest);
+    const label = this.store.label(kindOf(part), rest);
     this.asks = false;
     this.begun = {
       name,

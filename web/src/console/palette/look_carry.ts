@@ -1,6 +1,6 @@
 /** A tile that a finger carries onto a pad: browsers drag what they can for a mouse, and not all of them for a finger. */
 
-import type { Axis } from "../store/axis";
+import type { LookKind } from "../store/axis";
 
 /** Milliseconds after which a finger that stays on a tile takes it along; before that it scrolls. */
 const PICK_UP = 250;
@@ -8,7 +8,7 @@ const REACH = 10;
 
 /** What a finger carries, and where it is in the page. */
 export interface CarriedLook {
-  readonly axis: Axis;
+  readonly kind: LookKind;
   readonly name: string;
   readonly x: number;
   readonly y: number;
@@ -29,7 +29,7 @@ export class LookCarry {
 
   constructor(
     list: HTMLElement,
-    private readonly axis: () => Axis,
+    private readonly kind: () => LookKind,
     private readonly tag: string,
     private readonly may: () => boolean,
   ) {
@@ -86,7 +86,7 @@ export class LookCarry {
   }
 
   #tell(what: string, x: number, y: number): void {
-    const detail: CarriedLook = { axis: this.axis(), name: this.#name, x, y };
+    const detail: CarriedLook = { kind: this.kind(), name: this.#name, x, y };
     this.#over?.dispatchEvent(new CustomEvent<CarriedLook>(what, { detail }));
   }
 

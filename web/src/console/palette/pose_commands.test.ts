@@ -22,6 +22,7 @@ function doing(figure: Partial<FigureState> | null): CharacterState {
 function store(sent: unknown[]): ConsoleStore {
   const poses = ["bow", "point_up", "stand"].map((name) => ({ name, label: name.replace("_", " ") }));
   return {
+    poses,
     manifest: { figures: { poses, bodies: [{ name: "kaori" }, { name: "heavy" }] } },
     timing: { face: { seconds: 2, easing: "smooth" }, expression: { seconds: 0.5, easing: "gentle" } },
     played: { targets: ["one", "two"] },

@@ -12,8 +12,9 @@ const STAND = "stand";
 /** The poses of the show's cast, but the stand at the front of them. */
 export function posesFound(store: ConsoleStore, search: string): readonly PoseDocument[] {
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
-  const all = store.manifest?.figures?.poses ?? [];
-  const found = all.filter(({ name, label }) => words.every((word) => `${name} ${label}`.toLowerCase().includes(word)));
+  const found = store.poses.filter(({ name, label }) =>
+    words.every((word) => `${name} ${label}`.toLowerCase().includes(word)),
+  );
   return [...found].sort((one, other) => Number(other.name === STAND) - Number(one.name === STAND));
 }
 

@@ -11,6 +11,8 @@ import { textOf } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
+import { LookCarry } from "./look_carry";
+import { carryLook } from "./look_drag";
 import { ModelFace } from "./model_face";
 import { style as tiles } from "./palette_style";
 import {
@@ -78,10 +80,17 @@ export class PoseTiles extends AnimatedElement {
 
   static override styles = [base, tiles, style];
 
-  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement", "characters"];
+  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement", "characters", "pad_edit"];
 
   override firstUpdated(): void {
-    onRoam(this.renderRoot.querySelector(".tiles") as HTMLElement, ".tile");
+    const list = this.renderRoot.querySelector(".tiles") as HTMLElement;
+    onRoam(list, ".tile");
+    new LookCarry(
+      list,
+      () => "pose",
+      "omote-pad-editor",
+      () => this.store.editedPad !== "",
+    );
   }
 
   /** Calls the pose at an index of what is shown, as its hot key does. */
@@ -115,7 +124,8 @@ export class PoseTiles extends AnimatedElement {
 
   #tile({ name, label }: PoseDocument, index: number) {
     const key = this.search === "" ? keyLabel("expression", index) : null;
-    return html`<button class="tile" data-name=${name} aria-label="Pose ${label}${key === null ? "" : `, key ${key}`}" title=${name} @click=${(event: MouseEvent) => this.#press(event, name)}>
+    return html`<button class="tile" data-name=${name} aria-label="Pose ${label}${key === null ? "" : `, key ${key}`}" title=${name} draggable=${this.store.editedPad === "" ? "false" : "true"}
+      @dragstart=${(event: DragEvent) => carryLook(event, "pose", name)} @click=${(event: MouseEvent) => this.#press(event, name)}>
       <canvas width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
       <span class="name">${label}</span>${key === null ? nothing : html`<span class="key">${key}</span>`}<span class="weight"></span></button>`;
   }

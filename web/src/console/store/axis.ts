@@ -5,6 +5,9 @@ import type { CallState, CharacterState } from "../../link/messages";
 /** What is called and mixed: faces, and expressions. */
 export type Axis = "face" | "expression";
 
+/** What palettes have tiles of, and pads mix. */
+export type LookKind = Axis | "pose";
+
 /** The call that runs on an axis. */
 export function callOf(state: CharacterState, axis: Axis): CallState | null {
   return axis === "face" ? state.face_call : state.expression_call;

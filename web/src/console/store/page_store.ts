@@ -9,11 +9,12 @@ import type {
   FromServer,
   LightDocument,
   Manifest,
+  PoseDocument,
   SourceState,
 } from "../../link/messages";
 import { MessageStore } from "../../link/topics";
 import { type Arrangement, FIRST } from "./arrangement";
-import type { Axis } from "./axis";
+import type { Axis, LookKind } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
 import type { PlayRegion } from "./region_calls";
 import { type Seconds, secondsLabel, type Timing } from "./timing";
@@ -121,8 +122,13 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
   abstract takeStep(...step: Parameters<TakeStep>): boolean;
 
   /** What people read of a name; a name that the cast does not know stands for itself. */
-  label(axis: Axis, name: string): string {
-    return this.#labels[axis].get(name) ?? name;
+  label(kind: LookKind, name: string): string {
+    if (kind === "pose") return this.poses.find((pose) => pose.name === name)?.label ?? name;
+    return this.#labels[kind].get(name) ?? name;
+  }
+
+  get poses(): readonly PoseDocument[] {
+    return this.manifest?.figures?.poses ?? [];
   }
 
   get faces(): readonly FaceDocument[] {

@@ -85,9 +85,9 @@ def _macros_of(scene: Scene, pad: str) -> list[str]:
 
 
 class SetPad(PadCommand, frozen=True):
-    """Keeps a pad: the `part` that it plays (`face`, `expression`, or a region of that), 1 to 3 `dimensions`, 2 to 12
-    `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1. One
-    of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
+    """Keeps a pad: the `part` that it plays (`face`, `expression`, a region of that, or `pose`), 1 to 3 `dimensions`, 2
+    to 12 `looks` at places -1..1 for each dimension, 0.06 apart at least; each is a mix by name whose weights sum to 1.
+    One of its name makes way, and what that plays follows the new one without a jump. It is kept with the show.
     `restore_pad` with the `key` (the name without one) takes it back; with a key several changes, one after the other,
     together. An `id` executes once, as of those below."""
 
