@@ -25,7 +25,17 @@ In the examples of this page `cast` is `omote.load_cast()` and `np` is NumPy.
 """
 GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
-    "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts", "speak"),
+    "Playing": (
+        "Performer",
+        "Scene",
+        "connect",
+        "connect_async",
+        "parse_pose",
+        "evaluate",
+        "evaluate_figure",
+        "evaluate_parts",
+        "speak",
+    ),
     "Clips": ("Clip", "Lane"),
     "Macros": ("MacroMapping", "MacroTarget", "HalfBelow", "MacroCondition"),
     "Pads": ("Pad", "PadLook"),

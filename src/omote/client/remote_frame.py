@@ -70,6 +70,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         folds=character.folds,
         skin={str(name): amount for name, amount in character.skin.items()},
         figure=None if character.figure is None else figure_frame_of(character.figure),
+        idle=character.idle,
     )
 
 

@@ -73,10 +73,10 @@ def test_what_modes_crease_is_eased_and_who_has_no_crease_stays(strength: float)
         before = find_creases(SPACE, MODES.skin, head)
         eased = ease_creases(SPACE, MODES.skin, head)
         assert len(find_creases(SPACE, MODES.skin, eased)) == 0
-        assert np.abs(eased - head).max() < 0.006
+        assert np.abs(eased - head).max() < 0.0035 * strength
         assert len(before) or eased is head
         creased += bool(len(before))
-    assert creased >= 4
+    assert creased >= 3
 
 
 def test_a_head_that_is_turned_has_folds_against_the_generic_one_and_no_creases() -> None:

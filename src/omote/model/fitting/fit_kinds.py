@@ -142,7 +142,9 @@ def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
     middle = face.positions[around].mean(axis=0)
     size = 1.0
     smaller = face
-    while size > SMALLEST and _is_outside(space, smaller, names, bag):
+    while size > SMALLEST and (
+        _is_outside(space, smaller, names, bag, RARE) or _is_outside(space, smaller, names, bag)
+    ):
         size *= SMALLER
         parts = dict(face.parts) | {name: middle + size * (face.parts[name] - middle) for name in names}
         skin = face.positions.astype(np.float64)
@@ -153,11 +155,11 @@ def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
     return smaller
 
 
-def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str], bag: MouthBag | None) -> bool:
-    """Whether parts or the bag of a face lie outside of its skin, by winding number, of each RARE-th point."""
+def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str], bag: MouthBag | None, every: int = 1) -> bool:
+    """Whether parts or the bag of a face lie outside of its skin, by the winding numbers of one point of so many."""
     skin = face.positions.astype(np.float64)
     inner = [] if bag is None else [skin[bag.vertices[bag.distance > DEEP]]]
-    probes = np.concatenate([*(face.parts[name].astype(np.float64) for name in names), *inner])[::RARE]
+    probes = np.concatenate([*(face.parts[name].astype(np.float64) for name in names), *inner])[::every]
     return bool((winding_numbers(skin[space.location_triangles], probes) < 0.5).any())
 
 

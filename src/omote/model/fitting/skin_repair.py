@@ -31,7 +31,8 @@ PASSES = 3
 SLIGHT = 2e-4
 # Each round takes them so far to the means of their rings, so that they stop where nothing folds any more.
 EASING = 0.02
-# Of creases, which may be centimetres wide: so far in each round, and one ring more after so many.
+# Of creases, which may be centimetres wide: in so many rounds, so far in each, and one ring more after so many.
+EASING_ROUNDS = 120
 CREASE_EASING = 0.5
 # Until they bend by less than 135 degrees: what is smoothed towards a head that nearly lies on itself folds again.
 ROOMY = -0.7
@@ -107,7 +108,7 @@ def ease_creases(space: ParameterSpace, guide: Values, skin: Values, /) -> Value
     average = smoothing_matrix(space.triangles, len(skin))
     eased = skin
     lying: Rows = np.zeros(0, np.intp)
-    for number in range(REPAIR_ROUNDS):
+    for number in range(EASING_ROUNDS):
         still = np.intersect1d(lying, find_creases(space, guide, eased, ROOMY))
         lying = np.union1d(still, find_creases(space, guide, eased))
         if not len(lying):

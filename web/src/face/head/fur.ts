@@ -18,6 +18,9 @@ const STRAND = [-1, 0, 1, 0, 0, 1];
 /** Metres on the generic head: no fur below, where a collar is. */
 const COLLAR = -0.13;
 
+/** Metres around the line between the lips, on the generic head, that are bare: what hangs from there would lie across an open mouth. */
+const BARE = 0.009;
+
 /** Where strands of fur grow on a skin, three or four numbers each: rows (the nearest first), how much of each row, and the place on its
  * pictures with how far it turns with the head and a chance. */
 export interface FurRoots {
@@ -36,9 +39,10 @@ export function fur(skin: Mesh, anatomy: Anatomy, shared: Uniforms): THREE.Mesh 
   return drawn(geometry, shared);
 }
 
-/** Strands all over the skin outside of the mouth and above the collar, more where they are many on an animal. */
-export function furRoots(skin: Mesh, anatomy: Pick<Anatomy, "positions" | "traits" | "bag">): FurRoots {
+/** Strands all over the skin but lips and mouth, above the collar, more where they are many on an animal. */
+export function furRoots(skin: Mesh, anatomy: Pick<Anatomy, "positions" | "traits" | "bag" | "lips">): FurRoots {
   const { positions, bag } = anatomy;
+  const lips = lipLines(anatomy);
   const roots: FurRoots = { rootRows: [], rootShares: [], root: [] };
   for (let corner = 0; corner < skin.triangles.length; corner += 3) {
     const vertices = [0, 1, 2].map((n) => skin.triangles[corner + n] as number);
@@ -47,6 +51,7 @@ export function furRoots(skin: Mesh, anatomy: Pick<Anatomy, "positions" | "trait
     });
     const low = Math.min(...corners.map(({ y }) => y));
     if (low < COLLAR || vertices.some((vertex) => (bag[skin.source[vertex] as number] as number) > 0)) continue;
+    if (lips.some((line) => corners.some((point) => awayFrom(line, point) < BARE))) continue;
     const isEar = Math.min(...corners.map(({ x }) => Math.abs(x))) > EAR[0] && low > EAR[1];
     const area = new THREE.Triangle(...(corners as Three<THREE.Vector3>)).getArea();
     const count = Math.floor(Math.min(MOST, area / (isEar ? EAR_AREA : AREA)) + hashed(corner, 80));
@@ -54,6 +59,17 @@ export function furRoots(skin: Mesh, anatomy: Pick<Anatomy, "positions" | "trait
   }
   return roots;
 }
+
+/** From corner to corner of the mouth, over the middle of its upper edge and of its lower one. */
+function lipLines({ positions, lips }: Pick<Anatomy, "positions" | "lips">): THREE.Line3[] {
+  const [right, left, upper, lower] = lips.map((row) => new THREE.Vector3().fromArray(positions, 3 * row));
+  return [upper, lower].flatMap((middle) =>
+    [right, left].map((corner) => new THREE.Line3(corner as THREE.Vector3, middle as THREE.Vector3)),
+  );
+}
+
+const awayFrom = (line: THREE.Line3, point: THREE.Vector3): number =>
+  line.closestPointToPoint(point, true, new THREE.Vector3()).distanceTo(point);
 
 type Three<T> = [T, T, T];
 
