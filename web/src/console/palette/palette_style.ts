@@ -91,7 +91,7 @@ export const style = css`
         flex: 0 0 40px;
       }
     }
-    @container (max-width: 420px) {
+    @container (max-width: 520px) {
       .kinds {
         display: block;
       }
