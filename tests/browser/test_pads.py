@@ -202,8 +202,8 @@ def test_a_pad_of_poses_is_made_of_tiles_and_plays_the_figure(open_page: OpenPag
     page.get_by_label("Name of the new pad").fill("moves")
     page.get_by_label("What it plays").select_option("pose")
     page.get_by_role("button", name="Make").click()
-    target = {"x": 20.0, "y": 20.0}
-    page.locator("omote-pose-tiles .tile[data-name=bow]").drag_to(field(page, "moves"), target_position=target)
+    bow = page.locator("omote-pose-tiles .tile[data-name=bow]")
+    bow.drag_to(field(page, "moves"), target_position={"x": 20.0, "y": 20.0})
     wait_until(page, f"{DESK}.newest('pad_list').pads.some(({{name}}) => name === 'moves')")
     page.get_by_label("Add a look: search poses").fill("wave")
     page.keyboard.press("Enter")
