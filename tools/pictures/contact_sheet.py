@@ -19,24 +19,24 @@ TILE = Setting(150, 172, quality="low")
 EXPRESSIONS = ("neutral", "smile", "laugh", "sad", "angry", "surprise", "disgust", "kiss", "pain", "doubt")
 BLINK = "eyeBlinkLeft=1+eyeBlinkRight=1"
 SHAPES: dict[str, Words] = {
-    "jaw open": {"channels": "jawOpen=1"},
-    "mouth wide open": {"channels": "mouth-open=1", "turn": "29"},
-    "jaw open, lips closed": {"channels": "jawOpen=1+mouthClose=1"},
-    "funnel": {"channels": "mouthFunnel=1"},
-    "smile, blink, jaw": {"channels": f"mouthSmileLeft=1+mouthSmileRight=1+{BLINK}+jawOpen=0.6"},
+    "jaw open": {"channel": "jawOpen=1"},
+    "mouth wide open": {"channel": "mouth-open=1", "turn": "29"},
+    "jaw open, lips closed": {"channel": "jawOpen=1+mouthClose=1"},
+    "funnel": {"channel": "mouthFunnel=1"},
+    "smile, blink, jaw": {"channel": f"mouthSmileLeft=1+mouthSmileRight=1+{BLINK}+jawOpen=0.6"},
     "sneer, squint, pucker": {
-        "channels": "noseSneerLeft=1+noseSneerRight=1+eyeSquintLeft=1+eyeSquintRight=1+mouthPucker=1"
+        "channel": "noseSneerLeft=1+noseSneerRight=1+eyeSquintLeft=1+eyeSquintRight=1+mouthPucker=1"
     },
 }
 EYES: dict[str, Words] = {
-    "half blink": {"channels": "eyeBlinkLeft=0.5+eyeBlinkRight=0.5"},
-    "blink": {"channels": BLINK},
+    "half blink": {"channel": "eyeBlinkLeft=0.5+eyeBlinkRight=0.5"},
+    "blink": {"channel": BLINK},
     "asleep": {"expression": "asleep"},
-    "closure (MakeHuman)": {"channels": "eye-left-closure=1+eye-right-closure=1"},
-    "wide": {"channels": "eyeWideLeft=1+eyeWideRight=1"},
+    "closure (MakeHuman)": {"channel": "eye-left-closure=1+eye-right-closure=1"},
+    "wide": {"channel": "eyeWideLeft=1+eyeWideRight=1"},
     "down": {"gaze": "0,-28"},
     "up": {"gaze": "0,26"},
-    "squint": {"channels": "eyeSquintLeft=1+eyeSquintRight=1"},
+    "squint": {"channel": "eyeSquintLeft=1+eyeSquintRight=1"},
 }
 SCULPTS: tuple[Words, ...] = (
     {},
@@ -44,7 +44,7 @@ SCULPTS: tuple[Words, ...] = (
     {"expression": "shout", "turn": "26"},
     {"expression": "smile", "turn": "11"},
     {"expression": "angry", "turn": "-17"},
-    {"channels": BLINK, "turn": "17"},
+    {"channel": BLINK, "turn": "17"},
 )
 PEOPLE = {"auntie": "gaunt", "cat": "child", "count": "round", "dog": "kaori", "noh": "man"}
 STEPS = (0.0, 0.25, 0.5, 0.5, 0.75, 1.0)
@@ -73,7 +73,7 @@ def shapes(cast: Cast) -> Picture:
         between: dict[str, Words] = {
             "half way to the next": half,
             "... laughing": half | {"expression": "laugh"},
-            "... blinking": half | {"channels": BLINK},
+            "... blinking": half | {"channel": BLINK},
         }
         worn = {name: {"face": face, **words} for name, words in SHAPES.items()} | between
         rows.append((face, list(worn.items())))
@@ -105,10 +105,14 @@ def morphs(cast: Cast) -> Picture:
     return Picture("morphs", grid_of(cast, rows), Setting(200, 190))
 
 
+def contact_sheets(cast: Cast) -> list[Picture]:
+    """All sheets."""
+    return [drawn(cast) for drawn in (show, expressions, shapes, eyes, sculpts, morphs)]
+
+
 def main() -> int:
     """Draws the sheets, or those whose names are given."""
-    cast = omote.load_cast()
-    return draw_wanted([drawn(cast) for drawn in (show, expressions, shapes, eyes, sculpts, morphs)], sys.argv[1:])
+    return draw_wanted(contact_sheets(omote.load_cast()), sys.argv[1:])
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from tools.browser import SENTENCE, find_browser
 PICTURES = Path(__file__).resolve().parents[2] / "docs" / "pictures"
 
 Words = dict[str, str]
-"""A pose as `omote render` takes it: face, expression, channels, turn, gaze, light."""
+"""A pose as `omote render` takes it: face, expression, channel, turn, gaze, light, pose."""
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Draws the contact sheets of docs/gallery.md as `omote render` draws; names as arguments draw only those.
 
 docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
-at nine gazes, the lights, other backgrounds, half-way morphs. Judge by eye.
+at nine gazes, the lights, other backgrounds, half-way morphs, figures in poses. Judge by eye.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ MOUTHS = {
     "wide": "mouth-open=1",
     "funnel": "mouthFunnel+jawOpen=0.4",
 }
+POSES = {"stand": "neutral", "wave": "smile", "think": "doubt", "point": "angry", "shrug": "kiss", "bow": "smile"}
 GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", "30,-25")
 LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
 MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
@@ -48,7 +49,7 @@ def turntable(cast: Cast) -> Picture:
 def mouths(cast: Cast) -> Picture:
     """Mouths open at 30 degrees."""
     rows = [
-        (face, [(name, {"face": face, "channels": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
+        (face, [(name, {"face": face, "channel": unit, "turn": "30"}) for name, unit in MOUTHS.items()])
         for face in (*PLAYERS, "man")
     ]
     return Picture("gallery-mouths", grid_of(cast, rows), Setting(380, 400))
@@ -91,6 +92,15 @@ def morphs(cast: Cast) -> Picture:
     return Picture("gallery-morphs", grid_of(cast, rows), Setting(260, 290))
 
 
+def figures(cast: Cast) -> Picture:
+    """Whole figures in poses, each face on its own body."""
+    rows = [
+        (face, [(pose, {"face": face, "expression": worn, "pose": pose}) for pose, worn in POSES.items()])
+        for face in (*PLAYERS, "heavy")
+    ]
+    return Picture("gallery-figures", grid_of(cast, rows), Setting(240, 400, framing="full"))
+
+
 def gallery(cast: Cast) -> list[Picture]:
     """All sheets of the gallery."""
     blue = Setting(400, 430, background=BLUE)
@@ -104,6 +114,7 @@ def gallery(cast: Cast) -> list[Picture]:
         draw_keyed(cast, "background", blue, "#000"),
         draw_keyed(cast, "transparent", clear, PAPER),
         morphs(cast),
+        figures(cast),
     ]
 
 
