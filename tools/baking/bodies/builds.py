@@ -34,7 +34,7 @@ FIGURES: Mapping[str, Figure] = {
     "round": Figure(height=0.5),
     "child": Figure(),
     "baby": Figure(),
-    "old": Figure(height=0.4, proportions=0.4),
+    "old": Figure(height=0.4, proportions=0.4, person=Person({}, Build(gender=1.0, age=0.9, muscle=0.4, weight=0.45))),
     "man": Figure(height=0.55, proportions=0.75),
     "gaunt": Figure(height=0.6, proportions=0.4),
     "heavy": Figure(height=0.5, proportions=0.4),
