@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import omote
@@ -17,6 +17,7 @@ from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts, warm
 from omote.perform.blending.region_masks import play_masks
 from omote.perform.frame import Frame, Gaze, Head
+from omote.perform.saturation import saturate
 from tests.synthetic import EXPRESSIONS, FACES
 
 
@@ -31,7 +32,11 @@ frames = st.builds(Frame, mixes(FACES), mixes(EXPRESSIONS), channels)
 
 
 @given(frames)
+@example(Frame({FACES[0]: 1.0}, {"jawOpen": 1.0}, {"jawOpen": 0.5}))
 def test_bilinear_is_the_papers_formula(cast: Cast, frame: Frame) -> None:
+    """Of channels with what they add to the units that expressions wear."""
+    added = saturate(cast.expressions, frame, frame.channels)
+
     def worn(i: str, k: str) -> np.ndarray:
         return compound(cast.space, cast.faces[i], cast.expressions[k]).astype(np.float64)
 
@@ -39,7 +44,7 @@ def test_bilinear_is_the_papers_formula(cast: Cast, frame: Frame) -> None:
     for i, s in frame.faces.items():
         for j, t in frame.expressions.items():
             expected += s * t * worn(i, j)
-        for k, c in frame.channels.items():
+        for k, c in added.items():
             expected += s * c * (worn(i, k) - cast.faces[i].positions)
     assert evaluate(cast, frame) == pytest.approx(expected, abs=2e-7)
 
