@@ -263,7 +263,7 @@ export class Stage {
     if (level !== undefined) void this.view.change(level);
   }
 
-  /** Whether any character is on its way to another face or expression, or the picture to another framing. */
+  /** Whether any character is on its way to another face, expression, pose or body, or the picture to another framing. */
   private get calling(): boolean {
     const { state } = this;
     if (state === undefined) return false;
@@ -271,6 +271,8 @@ export class Stage {
       character.face_call,
       character.expression_call,
       ...Object.values(character.region_calls),
+      character.figure?.pose_call ?? null,
+      character.figure?.body_call ?? null,
     ]);
     return [state.framing_call, ...calls].some((call) => call !== null);
   }
