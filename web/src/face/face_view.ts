@@ -173,6 +173,9 @@ export class FaceView {
   /** Gets ready what is wanted to be drawn: shaders, heads, and figures with all that they wear. */
   private async prepare(): Promise<void> {
     const { common, wanted: level, wantsFigures } = this;
+    for (const [character, head] of this.next?.heads ?? []) character.forget(head); // something else is wished for
+    this.next = undefined;
+    if (level === this.level && wantsFigures === (this.drawing !== undefined)) return; // as it is drawn
     if (wantsFigures) this.figures ??= await loadFigures(this.library);
     if (this.common !== common) return; // a new context has what is wanted
     const drawing = wantsFigures ? this.createDrawing() : undefined;
