@@ -11,7 +11,7 @@ from omote.perform import axis
 from omote.perform.axis import Axis, call_regions
 from omote.perform.called_mix import CalledMix
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.figures.figure_axes import AT_REST, FigureAxes
+from omote.perform.figures.figure_axes import AT_REST, FigureAxes, on_poses
 from omote.perform.frame import PadStatus, with_fields
 from omote.perform.mappings.renamed_pads import mappings_after_rename
 from omote.perform.pads.blend_space import Pad, PadPlace, fitted, mix_of_place
@@ -185,12 +185,6 @@ def axes_of_pads(now: Snapshot) -> Iterable[Axis]:
     """All of a performer that pads can play. now: as it is."""
     figure = () if now.figure is None else (now.figure.pose, *now.figure.regions.values())
     return (now.face, now.expression, *now.regions.values(), *figure)
-
-
-def on_poses(figure: FigureAxes, change: Callable[[Axis], Axis]) -> FigureAxes:
-    """A figure with its poses, of the whole and of regions, changed. change: of an axis."""
-    regions = {region: change(on) for region, on in figure.regions.items()}
-    return with_fields(figure, pose=change(figure.pose), regions=regions)
 
 
 def _played(regions: Mapping[Region, Axis], pad: str, play: Callable[[Axis], Axis]) -> Mapping[Region, Axis]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from omote.perform.axis import goal_of, repaced
-from omote.perform.figures.figure_axes import AT_REST
-from omote.perform.scene.figure_goals import called_figure, figure_goal, repaced_figure
+from omote.perform.figures.figure_axes import AT_REST, on_all
+from omote.perform.scene.figure_goals import called_figure, figure_goal
 from omote.perform.scene.goals import BODY, POSE, POSE_PARTS, WITH_FACE
 
 
@@ -21,9 +21,9 @@ def test_what_is_called_of_a_part_is_its_goal_and_a_whole_pose_takes_its_regions
 
 def test_a_pace_holds_what_was_called_with_one() -> None:
     figure = called_figure(None, POSE, {"bow": 1.0}, 1.0, "smooth", 1.0)
-    held = repaced_figure(figure, lambda on: repaced(on, 0.0))
+    held = on_all(figure, lambda on: repaced(on, 0.0))
     assert held is not None
     assert held.pose.call is not None
     assert held.pose.call.pace == 0.0
     assert held.body == figure.body
-    assert repaced_figure(None, lambda on: on) is None
+    assert on_all(None, lambda on: on) is None

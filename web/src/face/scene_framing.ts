@@ -1,8 +1,8 @@
 /** Framings of a scene: where the camera stands for one character, for two, for all. */
 
 import { Frustum, type PerspectiveCamera } from "three";
-import { ALL, FRAMING_JOINT, FRAMING_SIZED } from "../link/constants";
-import { heldBy, PORTRAIT_SIZE, type ShotSize, sizeOf, weightsBy } from "../link/framings";
+import { ALL, FRAMING_JOINT } from "../link/constants";
+import { heldBy, inSize, PORTRAIT_SIZE, type ShotSize, sizeOf, weightsBy } from "../link/framings";
 import {
   AIR,
   aim,
@@ -45,7 +45,7 @@ export function sizesIn(framing: Framing): ShotSizes {
 
 /** A mix of framings with its portraits as shots of another size. */
 export function portraitsAs(framing: Framing, size: ShotSize): Framing {
-  const named = (key: string) => (sizeOf(key) === PORTRAIT_SIZE ? `${heldBy(key)}${FRAMING_SIZED}${size}` : key);
+  const named = (key: string) => (sizeOf(key) === PORTRAIT_SIZE ? inSize(key, size) : key);
   return Object.fromEntries(weightsBy(framing, named));
 }
 

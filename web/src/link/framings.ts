@@ -7,6 +7,10 @@ export type ShotSize = (typeof SHOT_SIZES)[number];
 /** Heads alone. */
 export const PORTRAIT_SIZE: ShotSize = SHOT_SIZES[0];
 
+/** A framing of whom another holds, in a shot of this size. */
+export const inSize = (framing: string, size: ShotSize): string =>
+  size === PORTRAIT_SIZE ? heldBy(framing) : `${heldBy(framing)}${FRAMING_SIZED}${size}`;
+
 /** Whom a framing holds, as text. */
 export const heldBy = (framing: string): string => framing.split(FRAMING_SIZED)[0] as string;
 
@@ -25,9 +29,7 @@ export const FIGURE_SHOTS: readonly ShotSize[] = SHOT_SIZES.filter((size) => siz
 
 /** A mix of framings with all of its shots of one character. */
 export const framedAlone = (framing: Readonly<Record<string, number>>, name: string): Record<string, number> =>
-  Object.fromEntries(
-    weightsBy(framing, (key) => (sizeOf(key) === PORTRAIT_SIZE ? name : `${name}${FRAMING_SIZED}${sizeOf(key)}`)),
-  );
+  Object.fromEntries(weightsBy(framing, (key) => inSize(name, sizeOf(key))));
 
 /** The sum of the weights of a mix of framings by a key of theirs (`heldBy`, `sizeOf`). */
 export function weightsBy<Key extends string>(

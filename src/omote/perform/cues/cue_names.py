@@ -10,7 +10,7 @@ from dataclasses import replace
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.scene.character_names import ALL, find_character
-from omote.perform.scene.framings import JOINT, PORTRAIT, SIZED, names_in, size_in
+from omote.perform.scene.framings import names_in, size_in, write_framing
 from omote.perform.scene.goals import Goal, Part
 from omote.perform.scene.look_goals import name_in
 
@@ -46,9 +46,7 @@ def named_goal(part: Part, goal: Goal, labels: Labels) -> Goal:
 
 def _named_framing(framing: str, labels: Labels) -> str:
     """Nobody of a label stays as written."""
-    held = JOINT.join(sorted(named_character(name, labels) for name in names_in(framing))) or ALL
-    size = size_in(framing)
-    return held if size == PORTRAIT else f"{held}{SIZED}{size}"
+    return write_framing((named_character(name, labels) for name in names_in(framing)), size_in(framing))
 
 
 def named_cue(cue: Cue, labels: Labels) -> Cue:

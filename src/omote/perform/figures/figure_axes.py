@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from omote.model.body.pose import STAND
@@ -51,12 +51,20 @@ def figure_frame(figure: FigureAxes) -> FigureFrame:
     )
 
 
+def on_poses(figure: FigureAxes, change: Callable[[Axis], Axis]) -> FigureAxes:
+    """A figure with its poses, of the whole and of regions, changed. change: of an axis."""
+    regions = {region: change(on) for region, on in figure.regions.items()}
+    return with_fields(figure, pose=change(figure.pose), regions=regions)
+
+
+def on_all(figure: FigureAxes | None, change: Callable[[Axis], Axis]) -> FigureAxes | None:
+    """A figure with all that is called of it changed; None where nothing was. change: of an axis."""
+    return None if figure is None else with_fields(on_poses(figure, change), body=change(figure.body))
+
+
 def halt_figure(figure: FigureAxes | None, seconds: float) -> FigureAxes | None:
     """The figure that comes to a stand where its speed carries it, within `seconds`."""
-    if figure is None:
-        return None
-    regions = {region: axis.halted(on, seconds) for region, on in figure.regions.items()}
-    return FigureAxes(axis.halted(figure.pose, seconds), regions, axis.halted(figure.body, seconds))
+    return on_all(figure, lambda on: axis.halted(on, seconds))
 
 
 def mixed_bodies(bodies: Weights, faces: Weights, known: Mapping[str, object]) -> dict[str, float]:

@@ -42,11 +42,3 @@ def called_figure(
         return here  # it goes with the whole figure already
     pose, regions = call_part(here.pose, here.regions, region, call)
     return replace(here, pose=pose, regions=regions)
-
-
-def repaced_figure(figure: FigureAxes | None, repace: Callable[[Axis], Axis]) -> FigureAxes | None:
-    """The figure with all that is called of it at another pace. repace: of an axis."""
-    if figure is None:
-        return None
-    regions = {region: repace(on) for region, on in figure.regions.items()}
-    return FigureAxes(repace(figure.pose), regions, repace(figure.body))

@@ -36,8 +36,13 @@ def framing_of(characters: Iterable[str], present: Iterable[str], size: str = PO
         raise TypeError(f"the characters of a framing are the text {characters!r}; give a list of their names")
     choices = list(present)
     names = {check_known(name, choices, "character") for name in characters}
-    held = JOINT.join(sorted(names)) if names else ALL
-    return held if check_shot_size(size) == PORTRAIT else f"{held}{SIZED}{size}"
+    return write_framing(names, check_shot_size(size))
+
+
+def write_framing(names: Iterable[str], size: str) -> str:
+    """The text of a framing that holds these characters, none for all, in shots of a size; nothing is checked."""
+    held = JOINT.join(sorted(names)) or ALL
+    return held if size == PORTRAIT else f"{held}{SIZED}{size}"
 
 
 def check_shot_size(size: str) -> str:
@@ -47,8 +52,13 @@ def check_shot_size(size: str) -> str:
 
 def names_in(framing: str) -> frozenset[str]:
     """The characters that a framing names: none for that of all."""
-    held = framing.partition(SIZED)[0]
+    held = held_by(framing)
     return frozenset() if held == ALL else frozenset(held.split(JOINT))
+
+
+def held_by(framing: str) -> str:
+    """Whom a framing holds, as text."""
+    return framing.partition(SIZED)[0]
 
 
 def size_in(framing: str) -> str:

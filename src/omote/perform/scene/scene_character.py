@@ -21,7 +21,7 @@ from omote.perform.axis import (
 from omote.perform.channels import with_channels
 from omote.perform.complexion import SKIN_FADERS, fader_at
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.figures.figure_axes import FACES_OWN, on_all
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
@@ -36,7 +36,7 @@ from omote.perform.panic import eased, without_channels, without_turn
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.clip_goals import call_of_run, goal_of_clip
-from omote.perform.scene.figure_goals import called_figure, figure_goal, repaced_figure
+from omote.perform.scene.figure_goals import called_figure, figure_goal
 from omote.perform.scene.goals import (
     BODY,
     LAYER,
@@ -387,7 +387,7 @@ class SceneCharacter(Performer):
         regions = {region: repaced(on, pace) for region, on in now.regions.items()}
         face = repaced(now.face, pace)
         clips = tuple(run if run.pace is None else replace(run, pace=pace) for run in now.clips)
-        figure = repaced_figure(now.figure, lambda on: repaced(on, pace))
+        figure = on_all(now.figure, lambda on: repaced(on, pace))
         self._now = with_fields(
             now, face=face, expression=repaced(now.expression, pace), regions=regions, clips=clips, figure=figure
         )

@@ -8,8 +8,8 @@ import msgspec
 
 from omote.perform.easing import DEFAULT_EASING, HAND_SECONDS
 from omote.perform.limits import LONGEST_CALL
-from omote.perform.scene.character_names import ALL, MOST_CHARACTERS
-from omote.perform.scene.framings import JOINT, ShotSize, framing_of, names_in, size_in
+from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.scene.framings import ShotSize, framing_of, held_by, size_in
 from omote.perform.scene.scene import Scene
 from omote.show.declaration import CallId, CharacterName, Name, RequestId, SceneCommand, Seconds, Session
 from omote.show.objects.calls import seconds_of
@@ -58,7 +58,7 @@ class CallFraming(SceneCommand, frozen=True):
             "brings a shot of these characters on air",
             (Value("framing", name="characters"), "seconds"),
             of_show=True,
-            on_air=lambda state: (JOINT.join(sorted(names_in(_shot(state)))) or ALL,),
+            on_air=lambda state: (held_by(_shot(state)),),
         ),
         Osc(
             "shot",

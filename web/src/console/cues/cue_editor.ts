@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import { repeat } from "lit/directives/repeat.js";
 import { EASING_NAMES } from "../../link/constants";
-import { FIGURE_SHOTS } from "../../link/framings";
+import { FIGURE_SHOTS, inSize } from "../../link/framings";
 import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
@@ -287,7 +287,7 @@ export class CueEditor extends CueElement {
     if (firstGoal(part) !== "") return [firstGoal(part)];
     if (kind === "framing") {
       const held = ["*", ...Object.keys(shown?.characters ?? {})];
-      return held.flatMap((name) => [name, ...FIGURE_SHOTS.map((size) => `${name}:${size}`)]);
+      return held.flatMap((name) => [name, ...FIGURE_SHOTS.map((size) => inSize(name, size))]);
     }
     if (kind === "look") return this.#looked(part);
     const documents = kind === "face" ? faces : kind === "light" ? lights : expressions;
