@@ -9,16 +9,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page
-from scipy.spatial.transform import Rotation
 
 import omote
 from omote.arrays import Floats, Mask
-from omote.model.body.pose_regions import POSE_REGIONS, region_bones
+from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.cast import Cast
-from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
-from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
-from omote.perform.figures.pose_mix import MixedPose, mix_poses
-from omote.perform.frame import Frame
+from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.frame import FigureFrame, Frame, Head
 from tests.browser.pictures import picture
 from tests.browser.waiting import draw_on_demand, floats, wait_until
 
@@ -105,18 +102,10 @@ def expected(
     head: list[float],
 ) -> Floats:
     """The rows of a figure as Python has them. head: yaw, pitch and roll, radians."""
-    assert cast.figures is not None
-    figures = cast.figures
-    skeleton = figures.space.skeleton
-    seen, still = (
-        omote.evaluate(cast, Frame(faces, worn)).astype(np.float64) for worn in (expressions, {"neutral": 1.0})
-    )
-    resting = resting_figure(figures, mixed_bodies(figure["bodies"], faces, figures.bodies), seen, still)
-    mixed = mix_poses(figures.poses, figure["poses"], figure["regions"], region_bones(skeleton), figure["idle"])
+    on = FigureFrame(figure["poses"], figure["regions"], figure["bodies"], None, {}, None, 0.0)
     yaw, pitch, roll = head
-    turn = Rotation.from_euler("YXZ", [yaw, -pitch, -roll]).as_rotvec()
-    pose = MixedPose(turn_head(skeleton, mixed.turns, turn), mixed.travel, mixed.feet, mixed.feet_turns)
-    return skin_figure(figures.space, resting, pose_figure(figures.space, resting, pose))
+    frame = Frame(faces, expressions, head=Head(yaw, pitch, roll), figure=on, idle=figure["idle"])
+    return omote.evaluate_figure(cast, frame)
 
 
 def test_a_figure_stands_in_the_picture_and_moves_as_it_is_told(stage: Callable[..., Page]) -> None:
