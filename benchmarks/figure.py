@@ -125,7 +125,8 @@ def main(words: Sequence[str] | None = None) -> int:
     missed = False
     for level in LEVELS:
         head, full, peer = (np.array(costs[name]) for name in (f"{level} head", f"{level} full", "three.js"))
-        beside_head, beside_peer = float(np.median(full / head)), float(np.median(full / peer))
+        beside_head = float(np.median(full / head))
+        beside_peer = float(np.median(full / peer))
         missed |= beside_head > MOST
         table.add_row(
             level, f"{np.median(head):.1f}", f"{np.median(full):.1f}", f"{beside_head:.2f}", f"{beside_peer:.2f}"

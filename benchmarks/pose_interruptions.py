@@ -80,7 +80,8 @@ def main(words: Sequence[str] | None = None) -> int:
     asked = parser.parse_args(words)
     turns = {name: pose.turns for name, pose in load_figures().poses.items()}
     log = orders(np.random.default_rng(asked.seed), [*turns], asked.count)
-    ours, freeze = Played(turns, inertial=True), Played(turns, inertial=False)
+    ours = Played(turns, inertial=True)
+    freeze = Played(turns, inertial=False)
     since = 0.0
     for order in track(log, "interruptions", console=Console(stderr=True)):
         for played in (ours, freeze):
