@@ -40,7 +40,10 @@ def framing_of(characters: Iterable[str], present: Iterable[str], size: str = PO
 
 
 def write_framing(names: Iterable[str], size: str) -> str:
-    """The text of a framing that holds these characters, none for all, in shots of a size; nothing is checked."""
+    """The text of a framing; nothing is checked.
+
+    names: of the characters that it holds, none for all; size: of the shot.
+    """
     held = JOINT.join(sorted(names)) or ALL
     return held if size == PORTRAIT else f"{held}{SIZED}{size}"
 
