@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
 from omote.geometry.proximity import nearest_triangles, winding_numbers
@@ -27,6 +28,9 @@ TURNS = tuple((yaw, pitch) for pitch in (-30, 0, 30) for yaw in (-60, -30, 0, 30
 """Yaw and pitch of the head, degrees."""
 BEHIND = 0.004
 """What is seen so far behind the lips' own surface is the inside of the mouth, metres."""
+GROUPS = 128
+AT_ONCE = 16
+"""Points whose winding numbers are found in one call."""
 # Places of a triangle at which it is tested.
 PLACES = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [3, 3, 0], [0, 3, 3], [3, 0, 3], [2, 2, 2]]) / [
     [1],
@@ -107,14 +111,21 @@ class MouthViews:
     def measure_pierced(self, skin: Values, triangles: Values) -> float:
         """The greatest distance to the skin (V, 3) of triangles (t, 3, 3) of teeth outside of it, other than through
         the open lips, metres."""
-        tested = np.einsum("sk,tkc->tsc", PLACES, triangles).reshape(-1, 3)
+        tested = np.unique(np.einsum("sk,tkc->tsc", PLACES, triangles).reshape(-1, 3).round(9), axis=0)
         corners = self._corners(skin, self._sheet)
-        away, at = nearest_triangles(corners, tested)
+        away, at = _find_nearest(corners, tested)
         normal = np.cross(corners[at, 1] - corners[at, 0], corners[at, 2] - corners[at, 0])
         out = np.flatnonzero((((tested - corners[at, 0]) * normal).sum(axis=1) > 0) & (away > 1e-4))
-        out = out[winding_numbers(self._corners(skin, self._closed), tested[out]) < 0.5]
         through, _ = nearest_triangles(self._corners(skin, self._membrane), tested[out])
-        return float(away[out][away[out] < through].max(initial=0.0))
+        out = out[away[out] < through]
+        out = out[np.argsort(-away[out])]
+        closed = self._corners(skin, self._closed)
+        for start in range(0, len(out), AT_ONCE):  # winding numbers are dear: the first that lies outside is the answer
+            some = out[start : start + AT_ONCE]
+            outside = winding_numbers(closed, tested[some]) < 0.5
+            if outside.any():
+                return float(away[some][outside].max())
+        return 0.0
 
     def _buried(self, points: Values) -> float:
         """How deep crowns lie behind the walls of the mouth bag, other than out of the open lips."""
@@ -166,6 +177,32 @@ class MouthViews:
                 run = np.where(through, run + 1, 0)
                 longest = max(longest, int(run.max()))
         return longest * PIXEL
+
+
+def _find_nearest(corners: Values, points: Values) -> tuple[Values, Indices]:
+    """As `nearest_triangles`, for many points that lie together: each group of them looks at the triangles near it."""
+    tree = cKDTree(corners[:, 0])
+    middles = corners.mean(axis=1)
+    reach = np.linalg.norm(corners - middles[:, None], axis=2).max(axis=1)
+    away = np.empty(len(points))
+    at = np.empty(len(points), np.int64)
+    for group in _groups(points):
+        middle = points[group].mean(axis=0)
+        radius = np.linalg.norm(points[group] - middle, axis=1).max()
+        farthest = 2.0 * radius + tree.query(middle)[0]  # no triangle that is nearest to a point lies farther away
+        near = np.flatnonzero(np.linalg.norm(middles - middle, axis=1) <= farthest + reach)
+        away[group], found = nearest_triangles(corners[near], points[group])
+        at[group] = near[found]
+    return away, at
+
+
+def _groups(points: Values) -> list[Indices]:
+    """Points (n, 3) in groups that lie together: halves along the longer side, over and over."""
+    groups = [np.arange(len(points))]
+    while len(groups) < GROUPS:
+        ordered = [group[np.argsort(points[group][:, np.ptp(points[group], axis=0).argmax()])] for group in groups]
+        groups = [half for group in ordered for half in np.array_split(group, 2)]
+    return [group for group in groups if len(group)]
 
 
 def _loop(triangles: NDArray[np.int32]) -> Indices:
