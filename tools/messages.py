@@ -43,7 +43,7 @@ from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.figures.figure_axes import FACES_OWN
-from omote.perform.figures.pose_mix import BREATH_IN, WEIGHT
+from omote.perform.figures.pose_mix import BREATH_IN, CHEST, WEIGHT
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
@@ -226,6 +226,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
     "POSE_REGIONS": ("The parts of a figure that can do a pose of their own.", POSE_REGIONS),
     "BREATH_IN": ("The pose of a figure with a breath in its chest.", BREATH_IN),
+    "CHEST": ("The pose of a figure whose chest has followed its head.", CHEST),
     "WEIGHT": ("The poses of a figure whose weight is on its left foot, and on its right.", WEIGHT),
     "FACES_OWN": ("In a mix of bodies: those of the faces on air, by their weights.", FACES_OWN),
     "SHOT_SIZES": ("How much of figures a shot shows, from heads alone to all.", SHOT_SIZES),

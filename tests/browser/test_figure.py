@@ -71,7 +71,7 @@ def bare_rows(cast: Cast) -> Mask:
 def test_figures_equal_the_python_of_bodies_poses_and_skinning(
     stage: Callable[..., Page], cast: Cast, level: str
 ) -> None:
-    """Mixes of faces, bodies, poses, regions that go their own way, an expression, a turned head, breath, weight."""
+    """Mixes of faces, bodies, poses, regions that go their own way, an expression, a turned head, idle motion."""
     page = stage(f"?quality={level}&shot=full")
     rng = np.random.default_rng(34)
     bare = bare_rows(cast)
@@ -87,7 +87,7 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
         head = rng.uniform(-0.6, 0.6, 3).tolist()
         expressions = {"smile": 0.5, "neutral": 0.5}
         figure: Mapping[str, Any] = {"poses": poses, "regions": regions, "bodies": bodies}
-        idle = rng.uniform((0.0, -1.0), 1.0).tolist()
+        idle = rng.uniform((0.0, -1.0, -1.0), 1.0).tolist()
         hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure, "idle": idle})
         drawn = floats(page, "window.omoteStage.readFigure()").reshape(-1, 3)
         wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, {**figure, "idle": idle}, head), axis=1)

@@ -224,7 +224,7 @@ def test_after_a_take_both_buses_look_the_same(seed: int) -> None:
             show.say(str(rng.choice(("air", "ana"), p=(0.25, 0.75))), message)
         show.run(float(rng.choice((FRAME, 0.2))))
     show.obey("air", Take(show.id(), 0.5))
-    air, unseen = show.run(1.0)
+    air, unseen = show.run(8.0)  # chests have come after their heads
     assert unseen is not None
     for name, each in air.characters.items():
         assert rounded(drawn(each)) == rounded(drawn(unseen.characters[name]))

@@ -11,7 +11,9 @@ from omote.perform.axis import Axis, call_part, move_whole
 from omote.perform.called_mix import start_call
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.figures.figure_axes import AT_REST, FACES_OWN
+from omote.perform.frame import Frame, with_fields
 from omote.perform.limits import check_call_seconds, check_within
+from omote.perform.motion.chest_following import AT_HOME, follow_head
 from omote.perform.skin_playing import SkinPlaying
 
 
@@ -134,6 +136,15 @@ class BodyPlaying(SkinPlaying):
         check_call_seconds(seconds)  # no T-bar moves it
         names = {FACES_OWN: None, **self._cast.bodies}
         self._play(figure=replace(figure, body=start_call(figure.body, names, name, "body", seconds, easing)))
+
+    def _with_chest(self, frame: Frame, dt: float) -> Frame:
+        """A frame with the chest, which follows the head that shows by `dt` seconds. frame: all else that shows now."""
+        now = self._now
+        if dt > 0.0 and (frame.head.yaw or now.chest != AT_HOME):
+            self._now = with_fields(now, chest=follow_head(now.chest, frame.head.yaw, dt))
+        breath, left, _ = frame.idle
+        turned = self._now.chest[1]
+        return with_fields(frame, idle=(breath, left, turned)) if turned else frame
 
     def _move_pose(self, move: Callable[[Axis], Axis]) -> None:
         figure = self._now.figure or AT_REST

@@ -241,8 +241,8 @@ class CallStatus:
     start: Mapping[str, float]
 
 
-NO_IDLE = (0.0, 0.0)
-"""Of a figure that holds still: no breath, and its weight on both feet."""
+NO_IDLE = (0.0, 0.0, 0.0)
+"""Of a figure that holds still: no breath, its weight on both feet, its chest ahead."""
 
 
 @dataclass(frozen=True)
@@ -344,7 +344,8 @@ class Frame:
     the metres that these two have run; `folds`: how much of the skin's folds shows; `skin`: its faders as set, of those
     that are not 1.
     `figure`: poses and bodies, None while the figure stands and each face has its own body; `idle`: how much of a
-    breath is in the chest, and how far the weight is on the left foot, as the automatic motion has it.
+    breath is in the chest, how far the weight is on the left foot, and how far the chest has followed the head to its
+    left, each 0 at rest.
     """
 
     faces: Mapping[str, float]
@@ -378,7 +379,7 @@ class Frame:
     folds: float = 1.0
     skin: Mapping[str, float] = field(default_factory=dict)
     figure: FigureFrame | None = None
-    idle: tuple[float, float] = NO_IDLE
+    idle: tuple[float, float, float] = NO_IDLE
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

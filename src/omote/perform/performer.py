@@ -485,7 +485,7 @@ class Performer(BodyPlaying):
         self._speak(dt)
         self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
-        return self._with_skin(self._with_springs(self._frame(), dt, self._held()), dt)
+        return self._with_chest(self._with_skin(self._with_springs(self._frame(), dt, self._held()), dt), dt)
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
         """Takes one frame of a source that is checked already, as `drive`.
@@ -716,5 +716,5 @@ def _frame(now: Snapshot, held: Held, macros: MacroVectors | None) -> Frame:
         spoken=now.spoken,
         macros=macro_statuses(now.mappings.kept, macros),
         figure=None if now.figure is None else figure_frame(now.figure),
-        idle=NO_IDLE if now.motion is None else figure_idle(now.motion),
+        idle=NO_IDLE if now.motion is None else (*figure_idle(now.motion), 0.0),
     )

@@ -34,6 +34,7 @@ from omote.perform.mappings.macro_vectors import channels_given
 from omote.perform.mappings.macros import NO_MACROS, Macros, check_macros
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
+from omote.perform.motion.chest_following import AT_HOME, Chest
 from omote.perform.pads.blend_space import AXES, MOST_PADS, PLACE_RANGE, PadPlace, check_pad_name
 from omote.perform.pads.pad_point import FACE_SECONDS, FOLLOW_SECONDS
 from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
@@ -90,7 +91,7 @@ class Snapshot:
     been moved. `mappings`: what macros play; `macros`: those that were moved.
     `springs`: how much of them is set and how they move, None while none has moved. `skin`: blood, tears and
     sweat as they show and the faders of the skin, None where there is nothing of that.
-    `figure`: poses and bodies, None while none has been called.
+    `figure`: poses and bodies, None while none has been called. `chest`: how far it has followed the head.
     """
 
     face: Axis
@@ -119,6 +120,7 @@ class Snapshot:
     springs: Springs | None = None
     skin: Skin | None = None
     figure: FigureAxes | None = None
+    chest: Chest = AT_HOME
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -165,6 +167,8 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_springs(snapshot.springs)
     check_skin(snapshot.skin)
     _check_figure(snapshot.figure, cast)
+    for turned in snapshot.chest:
+        check_within(turned, -1.0, 1.0, "how far the chest has followed the head")
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.panicked is not None:

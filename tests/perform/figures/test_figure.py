@@ -51,14 +51,14 @@ def test_ankles_are_where_the_mix_of_poses_puts_them_and_bones_keep_their_length
     np.testing.assert_allclose(lengths[0], lengths[1], atol=1e-9)
 
 
-@given(st.floats(0.0, 1.0), st.floats(-1.0, 1.0), st.sampled_from([*RESTING]))
+@given(st.floats(0.0, 1.0), st.floats(-1.0, 1.0), st.floats(-1.0, 1.0), st.sampled_from([*RESTING]))
 def test_feet_stay_whatever_a_figure_that_stands_breathes_and_however_its_weight_shifts(
-    breath: float, left: float, body: str
+    breath: float, left: float, chest: float, body: str
 ) -> None:
     """Legs that a shift of the hips outran let the feet slide by 2 mm."""
     standing, shifted = (
         pose_figure(SPACE, RESTING[body], mix_poses(FIGURES.poses, {STAND: 1.0}, {}, BONES, idle))
-        for idle in ((0.0, 0.0), (breath, left))
+        for idle in ((0.0, 0.0, 0.0), (breath, left, chest))
     )
     for side in SIDES:
         ankle = SPACE.skeleton.places[f"foot.{side}"]

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_figures
 from omote.model.body.pose_regions import POSE_REGIONS, region_bones
-from omote.perform.figures.pose_mix import idle_weights, mix_poses
+from omote.perform.figures.pose_mix import CHEST, idle_weights, mix_poses
 
 FIGURES = load_figures()
 BONES = region_bones(FIGURES.space.skeleton)
@@ -27,14 +27,17 @@ def test_a_mix_never_leaves_the_box_of_a_joint(one: dict[str, float], two: dict[
         assert (mixed[BONES[region]] >= each.min(0) - 1e-9).all()
 
 
-@given(mixes, st.floats(0.0, 2.0), st.floats(-1.0, 1.0))
-def test_breath_and_weight_are_added_to_whatever_a_figure_does(
-    mix: dict[str, float], breath: float, left: float
+@given(mixes, st.floats(0.0, 2.0), st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))
+def test_breath_weight_and_chest_are_added_to_whatever_a_figure_does(
+    mix: dict[str, float], breath: float, left: float, chest: float
 ) -> None:
     bare = mix_poses(FIGURES.poses, mix, {"arm_left": {"bow": 1.0}}, BONES)
-    idle = mix_poses(FIGURES.poses, mix, {"arm_left": {"bow": 1.0}}, BONES, (breath, left))
-    added = sum(weight * FIGURES.poses[name].turns for name, weight in idle_weights((breath, left)).items())
+    idle = mix_poses(FIGURES.poses, mix, {"arm_left": {"bow": 1.0}}, BONES, (breath, left, chest))
+    added = sum(weight * FIGURES.poses[name].turns for name, weight in idle_weights((breath, left, chest)).items())
     np.testing.assert_allclose(idle.turns - bare.turns, added, atol=1e-12)
+    np.testing.assert_allclose(FIGURES.poses[CHEST].turns.sum(axis=0), 0.0, atol=1e-12)  # the head looks where it did
     np.testing.assert_array_equal(idle.feet, bare.feet)  # feet stay where they stand
     assert np.sign(np.round(idle.travel[0] - bare.travel[0], 12)) == np.sign(np.round(left, 10))
-    assert mix_poses({"stand": FIGURES.poses["stand"]}, {"stand": 1.0}, {}, BONES, (breath, left)).turns.any() == 0
+    assert (
+        mix_poses({"stand": FIGURES.poses["stand"]}, {"stand": 1.0}, {}, BONES, (breath, left, chest)).turns.any() == 0
+    )

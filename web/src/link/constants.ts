@@ -82,6 +82,8 @@ export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"] as const;
 /** The pose of a figure with a breath in its chest. */
 export const BREATH_IN = "breath_in";
+/** The pose of a figure whose chest has followed its head. */
+export const CHEST = "chest_left";
 /** The poses of a figure whose weight is on its left foot, and on its right. */
 export const WEIGHT = ["weight_left", "weight_right"] as const;
 /** In a mix of bodies: those of the faces on air, by their weights. */

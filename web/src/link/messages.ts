@@ -1805,7 +1805,8 @@ export type FigureState = {
  * empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
  * not 1.
  * `figure`: its poses and its body, `None` while it stands and each face has its own; `idle`: how much of a breath is
- * in its chest, and how far its weight is on the left foot, -1..1.
+ * in its chest, how far its weight is on the left foot, and how far its chest has followed the head to its left, both
+ * -1..1.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1842,7 +1843,7 @@ export type CharacterState = {
   folds: number;
   skin: Partial<Record<"folds" | "blood", number>>;
   figure: FigureState | null;
-  idle: [number, number];
+  idle: [number, number, number];
 };
 
 /**

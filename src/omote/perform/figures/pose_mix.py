@@ -27,12 +27,14 @@ class MixedPose:
 BREATH_IN = "breath_in"
 WEIGHT = ("weight_left", "weight_right")
 """The poses of a figure that breathes and shifts its weight, which the automatic motion adds."""
+CHEST = "chest_left"
+"""The pose of one whose chest has followed its head; its head looks where it did."""
 
 
-def idle_weights(idle: tuple[float, float]) -> Weights:
+def idle_weights(idle: tuple[float, float, float]) -> Weights:
     """The weights of the poses that a figure does by itself. idle: as of `Frame`."""
-    breath, left = idle
-    return {BREATH_IN: breath, WEIGHT[0]: max(left, 0.0), WEIGHT[1]: max(-left, 0.0)}
+    breath, left, chest = idle
+    return {BREATH_IN: breath, WEIGHT[0]: max(left, 0.0), WEIGHT[1]: max(-left, 0.0), CHEST: chest}
 
 
 def mix_poses(
@@ -40,7 +42,7 @@ def mix_poses(
     weights: Weights,
     regions: Mapping[PoseRegion, Weights],
     bones: Mapping[PoseRegion, Mask],
-    idle: tuple[float, float] = NO_IDLE,
+    idle: tuple[float, float, float] = NO_IDLE,
 ) -> MixedPose:
     """The sum of poses by their weights; regions that show another mix have theirs.
 

@@ -183,7 +183,8 @@ class CharacterState(msgspec.Struct, frozen=True):
     empty where the skin is as ever. `folds`: how much of its folds shows; `skin`: its faders as set, of those that are
     not 1.
     `figure`: its poses and its body, `None` while it stands and each face has its own; `idle`: how much of a breath is
-    in its chest, and how far its weight is on the left foot, -1..1.
+    in its chest, how far its weight is on the left foot, and how far its chest has followed the head to its left, both
+    -1..1.
     """
 
     faces: dict[str, float]
@@ -220,7 +221,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     folds: float = 1.0
     skin: dict[SkinFader, float] = {}
     figure: FigureState | None = None
-    idle: tuple[float, float] = NO_IDLE
+    idle: tuple[float, float, float] = NO_IDLE
 
 
 class State(ServerMessage, frozen=True):

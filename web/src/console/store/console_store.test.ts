@@ -39,7 +39,7 @@ const CALM: CharacterState = {
   folds: 1,
   skin: {},
   figure: null,
-  idle: [0, 0] as [number, number],
+  idle: [0, 0, 0] as [number, number, number],
 };
 const REST: State = {
   type: "state",

@@ -2,7 +2,7 @@
 
 import type { Library } from "../../link/assets";
 import type { Body } from "../../link/figures";
-import type { FigureMix } from "../pose/pose";
+import type { FigureMix, Idle } from "../pose/pose";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
 import type { FigureJob, FigurePass, FigureTarget } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
@@ -26,7 +26,7 @@ import { placeOf } from "./skeleton";
 /** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source. */
 export interface FigureCall {
   readonly mix: FigureMix;
-  readonly idle: readonly [number, number];
+  readonly idle: Idle;
   readonly head: readonly [number, number, number];
   readonly faces: Readonly<Record<string, number>>;
   readonly sources: Readonly<Record<string, number>>;

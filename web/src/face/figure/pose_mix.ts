@@ -1,8 +1,8 @@
 /** The weighted sum of poses, as `perform.figures.pose_mix` has it. */
 
-import { BREATH_IN, WEIGHT } from "../../link/constants";
+import { BREATH_IN, CHEST, WEIGHT } from "../../link/constants";
 import type { FigurePose } from "../../link/figures";
-import type { FigureMix } from "../pose/pose";
+import type { FigureMix, Idle } from "../pose/pose";
 import { regionOf, type Skeleton } from "./skeleton";
 
 type Weights = Readonly<Record<string, number>>;
@@ -30,7 +30,7 @@ export const blankPose = ({ names }: Skeleton): MixedPose => ({
 export function mixFigurePoses(
   poses: ReadonlyMap<string, FigurePose>,
   { poses: whole, regions }: FigureMix,
-  idle: readonly [number, number],
+  idle: Idle,
   { names }: Skeleton,
   into: MixedPose,
 ): void {
@@ -47,11 +47,12 @@ export function mixFigurePoses(
     addScaled(poses, own, what, into[what], 0, into[what].length);
 }
 
-/** The weights of the poses that a figure does by itself: it breathes, and shifts its weight. */
-const idleWeights = ([breath, left]: readonly [number, number]): Weights => ({
+/** The weights of the poses that a figure does by itself: it breathes, shifts its weight, its chest follows its head. */
+const idleWeights = ([breath, left, chest]: Idle): Weights => ({
   [BREATH_IN]: breath,
   [WEIGHT[0]]: Math.max(left, 0),
   [WEIGHT[1]]: Math.max(-left, 0),
+  [CHEST]: chest,
 });
 
 function addScaled(

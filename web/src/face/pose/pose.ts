@@ -15,12 +15,15 @@ export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "c
     readonly folds?: number | undefined;
     /** What its figure does; without it, it stands with the bodies of its faces. */
     readonly figure?: FigureMix | null | undefined;
-    /** How much of a breath is in its chest, and how far its weight is on the left foot; without it, it holds still. */
-    readonly idle?: readonly [number, number] | undefined;
+    /** How much of a breath is in its chest, how far its weight is on the left foot, how far its chest has followed the head; without it, it holds still. */
+    readonly idle?: Idle | undefined;
   };
 
+/** What a figure does by itself. */
+export type Idle = CharacterState["idle"];
+
 /** Of a figure that holds still. */
-export const NO_IDLE: readonly [number, number] = [0, 0];
+export const NO_IDLE: Idle = [0, 0, 0];
 
 type Weights = Record<string, number>;
 type Regions = Pose["regions"];
@@ -96,8 +99,8 @@ export const STANDING: FigureMix = { poses: { stand: 1 }, regions: {}, bodies: {
 
 function mixIdle(from: Pose["idle"], to: Pose["idle"], part: number): Pose["idle"] {
   if (!from && !to) return to;
-  const [[breath, left], [later, leftLater]] = [from ?? NO_IDLE, to ?? NO_IDLE];
-  return [breath + part * (later - breath), left + part * (leftLater - left)];
+  const [before, after] = [from ?? NO_IDLE, to ?? NO_IDLE];
+  return before.map((value, at) => value + part * ((after[at] as number) - value)) as typeof before;
 }
 
 function mixFigures(from: Pose["figure"], to: Pose["figure"], part: number): Pose["figure"] {
