@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import access_app
+from omote.agent_commands import mcp
 from omote.camera_commands import track
 from omote.clip_commands import clip_app
 from omote.export_commands import export
@@ -104,6 +105,7 @@ app.command()(track)
 app.command("record-take")(record_take)
 app.command()(replay)
 app.command()(voice)
+app.command()(mcp)
 
 
 @app.command("say", hidden=True, context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
