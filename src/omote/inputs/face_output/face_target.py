@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
-from omote.inputs.trackers.head_angles import GazeAngles
+from omote.inputs.trackers.head_angles import BoneTurn, GazeAngles
 from omote.inputs.trackers.live_link_face import FRAME_RATE, encode_live_link_face
 from omote.inputs.trackers.tracker_protocols import API_NAME
 from omote.inputs.trackers.vmc_messages import encode_vmc
@@ -87,14 +87,22 @@ def _read_target(word: str) -> FaceTarget:
 
 
 def encode_face(
-    target: FaceTarget, character: CharacterState, weights: Mapping[str, float], time: float
+    target: FaceTarget,
+    character: CharacterState,
+    weights: Mapping[str, float],
+    time: float,
+    figure: Callable[[CharacterState], Mapping[str, BoneTurn]] = lambda _: {},
 ) -> list[bytes]:
     """The packets of a character for a target; none where it is told otherwise. weights: of all of ARKit's units; time:
-    seconds, as frames are numbered by."""
+    seconds, as frames are numbered by; figure: gives the bones of its figure, for targets that have a body."""
     gaze = mean_gaze(character)
     if target.protocol == "vmc":
         return encode_vmc(
-            {name[0].upper() + name[1:]: weights[name] for name in ARKIT_NAMES}, character.head, gaze, time
+            {name[0].upper() + name[1:]: weights[name] for name in ARKIT_NAMES},
+            character.head,
+            gaze,
+            time,
+            figure(character),
         )
     if target.protocol == "livelink":
         values = [weights[name] for name in ARKIT_NAMES]

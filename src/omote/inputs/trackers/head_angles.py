@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from omote.inputs.rejection import PacketError
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
@@ -16,6 +17,16 @@ HeadAngles = tuple[float, float, float]
 GazeAngles = tuple[float, float]
 Quaternion = tuple[float, float, float, float]
 """x, y, z, w."""
+
+
+class BoneTurn(NamedTuple):
+    """place: of a bone from its parent, metres, 0 where its own skeleton says that; turn: against its parent, from the
+    T-pose; both along our axes."""
+
+    place: tuple[float, float, float]
+    turn: Quaternion
+
+
 LEAST_LENGTH = 1e-6
 """Of a quaternion that still says a direction."""
 
@@ -60,6 +71,11 @@ def write_unity_quaternion(head: HeadAngles) -> Quaternion:
     """The rotation of Unity that `read_unity_quaternion` reads."""
     yaw, pitch, roll = head
     turn = multiply_quaternions(about("y", yaw), multiply_quaternions(about("x", -pitch), about("z", -roll)))
+    return mirror_quaternion(turn)
+
+
+def mirror_quaternion(turn: Quaternion) -> Quaternion:
+    """A rotation about our axes as Unity has it, which counts x to the performer's right; and the other way round."""
     x, y, z, w = turn
     return x, -y, -z, w
 

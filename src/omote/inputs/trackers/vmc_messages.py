@@ -24,10 +24,12 @@ from omote.inputs.osc_packet import (
 from omote.inputs.rejection import PacketError
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import (
+    BoneTurn,
     GazeAngles,
     HeadAngles,
     Quaternion,
     average_eyes,
+    mirror_quaternion,
     multiply_quaternions,
     normalize_quaternion,
     read_unity_quaternion,
@@ -38,6 +40,7 @@ from omote.inputs.trackers.tracker_frame import LeftOut, TrackerError, TrackerFr
 VALUE = "/VMC/Ext/Blend/Val"
 APPLY = "/VMC/Ext/Blend/Apply"
 BONE = "/VMC/Ext/Bone/Pos"
+ROOT = "/VMC/Ext/Root/Pos"
 OK = "/VMC/Ext/OK"
 TIME = "/VMC/Ext/T"
 MOST_NAMES = 256
@@ -50,6 +53,8 @@ MOST_FAULTS = 8
 """Of one frame, which are said."""
 MOST_VALUES = 26
 """Values of one bundle that we send: it stays below 1,500 bytes, which the protocol asks for."""
+MOST_BONES = 16
+"""The same, of bones."""
 LONGEST_NAME = 80
 FLOAT = struct.Struct(">f")
 BEGIN = encode_message(VALUE, "", 0.0)[:24]
@@ -198,18 +203,27 @@ def _name_of_value(element: bytes) -> str | None:
     return name.decode() if name.isascii() and 0 < len(name) <= LONGEST_NAME else None
 
 
-def encode_vmc(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles, time: float) -> list[bytes]:
-    """The packets of a face. weights: by the names that the receiver's model has; time: seconds; head, gaze:
-    radians."""
+def encode_vmc(
+    weights: Mapping[str, float],
+    head: HeadAngles,
+    gaze: GazeAngles,
+    time: float,
+    figure: Mapping[str, BoneTurn] = MappingProxyType({}),
+) -> list[bytes]:
+    """The packets of a face. weights: by the names that the receiver's model has; time: seconds; head, gaze: radians;
+    figure: the bones of a body by Unity's names, the head among them, none for a head alone."""
     eye = write_unity_quaternion((*gaze, 0.0))
     values = [encode_message(VALUE, name, float(value)) for name, value in weights.items()]
+    bones = [_encode_bone(BONE, "LeftEye", eye), _encode_bone(BONE, "RightEye", eye)]
+    if figure:
+        root = _encode_bone(ROOT, "root", NO_TURN)
+        bones += [root, *(_encode_bone(BONE, name, mirror_quaternion(turn), at) for name, (at, turn) in figure.items())]
+    else:
+        bones.append(_encode_bone(BONE, "Head", write_unity_quaternion(head)))
+    begin = [encode_message(OK, 1), encode_message(TIME, float(time)), *bones[:MOST_BONES]]
+    more = [bones[at : at + MOST_BONES] for at in range(MOST_BONES, len(bones), MOST_BONES)]
     parts = [values[at : at + MOST_VALUES] for at in range(0, len(values), MOST_VALUES)]
-    bones = [
-        _encode_bone(name, turn)
-        for name, turn in (("Head", write_unity_quaternion(head)), ("LeftEye", eye), ("RightEye", eye))
-    ]
-    begin = [encode_message(OK, 1), encode_message(TIME, float(time)), *bones]
-    return [encode_bundle(part) for part in _ended([begin, *parts])]
+    return [encode_bundle(part) for part in _ended([begin, *more, *parts])]
 
 
 def _ended(parts: Iterable[list[bytes]]) -> list[list[bytes]]:
@@ -217,8 +231,12 @@ def _ended(parts: Iterable[list[bytes]]) -> list[list[bytes]]:
     return [*first, [*last, encode_message(APPLY)]]
 
 
-def _encode_bone(name: str, turn: Quaternion) -> bytes:
-    return encode_message(BONE, name, 0.0, 0.0, 0.0, *(float(component) for component in turn))
+def _encode_bone(
+    address: str, name: str, turn: Quaternion, place: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> bytes:  # fmt: skip
+    """The message of a bone. turn: as Unity has it; place: along our axes, metres."""
+    x, y, z = place
+    return encode_message(address, name, -x, y, z, *(float(component) for component in turn))
 
 
 def _read(message: OscMessage, count: int) -> tuple[Argument, ...]:

@@ -5,10 +5,18 @@ from __future__ import annotations
 import socket
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
+import numpy as np
+
+from omote.builtin import load_cast
 from omote.inputs.face_output.face_target import FaceTarget, encode_face, find_sent
+from omote.inputs.face_output.figure_bones import FigureBones
 from omote.inputs.face_output.unit_weights import UnitWeights
+from omote.inputs.trackers.head_angles import BoneTurn
 from omote.interchange.formats.error_reasons import explain_error
+from omote.model.body.pose import Pose
+from omote.model.known_names import GENERIC
 from omote.server.devices.device_source import DeviceSource
 from omote.show.objects.state import CharacterState, State
 from omote.show.session import ShowSession
@@ -75,6 +83,8 @@ class FaceOutput(DeviceSource):
     def add(self, target: FaceTarget) -> None:
         """Sends a face there from now on."""
         self.receivers.append(FaceReceiver(target))
+        if target.protocol == "vmc":
+            _figure_bones()
 
     def remove(self, word: str) -> None:
         """Sends a target no more."""
@@ -97,7 +107,7 @@ class FaceOutput(DeviceSource):
             receiver.absence_told = False
             if id(character) not in weights:
                 weights[id(character)] = self.weigh(character)
-            packets = encode_face(receiver.target, character, weights[id(character)], now)
+            packets = encode_face(receiver.target, character, weights[id(character)], now, self.pose)
             if fault := receiver.send(packets, now):
                 self._report(f"{fault}.")
 
@@ -117,12 +127,26 @@ class FaceOutput(DeviceSource):
             f"several are; there are {names}."
         )
 
+    def pose(self, character: CharacterState) -> Mapping[str, BoneTurn]:
+        """The bones of a character's figure; none while nothing is called of it. character: as stages get it."""
+        poses = {name: pose for name, pose in self._session().cast.poses.items() if isinstance(pose, Pose)}
+        return _figure_bones().turns(character, poses) if character.figure is not None and poses else {}
+
     def weigh(self, character: CharacterState) -> Mapping[str, float]:
         """What a character has on air, as weights of all of ARKit's units."""
         cast = self._session().cast
         if self._units is None or self._units[0] is not cast:
             self._units = cast, UnitWeights(cast.expressions)
         return self._units[1].weigh(character.expressions, character.channels)
+
+
+@cache
+def _figure_bones() -> FigureBones:
+    """Of the built-in figures, whose skeleton all have; made when the first target has a body, since that takes some
+    frames."""
+    cast = load_cast()
+    assert cast.figures is not None
+    return FigureBones(cast.figures, cast.faces[GENERIC].positions.astype(np.float64))
 
 
 def _explain(target: FaceTarget, error: OSError) -> str:
