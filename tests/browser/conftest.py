@@ -17,7 +17,7 @@ from playwright.sync_api import Browser, CDPSession, Error, Page, expect, sync_p
 
 from tests.browser.browser_devices import DEVICES, FAKE_MIDI
 from tests.browser.console_at_rest import bring_to_rest
-from tests.browser.waiting import PATIENCE, wait_until
+from tests.browser.waiting import PATIENCE, draw_on_demand, wait_until
 from tools.browser import SENTENCE, find_browser
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -244,6 +244,49 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
         tab.page.context.close()
     for tab in taken:
         tabs.give_back(tab, show)
+    assert not reported, reported
+
+
+class HeldStages:
+    """The stages of a module that draw what they are told to hold: their shaders are compiled once."""
+
+    def __init__(self, tabs: Tabs, show: str) -> None:
+        self.tabs = tabs
+        self.show = show
+        self.opened: dict[tuple[str, int, int], Tab] = {}
+        self.errors: list[str] = []
+
+    def open(self, query: str = "", *, width: int = 320, height: int = 240) -> Page:
+        """A stage with a query and a size, as the last test left it; a new one where there is none."""
+        key = (query, width, height)
+        if key not in self.opened:
+            tab = self.opened[key] = self.tabs.take(1.0)
+            tab.page.set_viewport_size({"width": width, "height": height})
+            tab.page.on("pageerror", lambda error: self.errors.append(f"/stage{query}: {error}"))
+            tab.page.goto(f"{self.show}/stage{query}")
+            wait_until(tab.page, "window.omoteStage?.counters().drawn")
+            draw_on_demand(tab.page)
+        return self.opened[key].page
+
+
+@pytest.fixture(scope="module")
+def held_stages(tabs: Tabs, show: str) -> Iterator[HeldStages]:
+    """The stages that tests of a module share."""
+    stages = HeldStages(tabs, show)
+    yield stages
+    for tab in stages.opened.values():
+        tabs.give_back(tab, show)
+
+
+@pytest.fixture
+def held_stage(held_stages: HeldStages) -> Iterator[OpenPage]:
+    """Opens a stage that draws only what it is told to hold: `held_stage("?quality=low", width=320, height=240)`.
+
+    Tests of a module share those of the same query and size, since a picture is of what is held alone.
+    """
+    yield held_stages.open
+    reported = list(held_stages.errors)
+    held_stages.errors.clear()
     assert not reported, reported
 
 

@@ -16,8 +16,9 @@ from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.cast import Cast
 from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.frame import FigureFrame, Frame, Head
+from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, floats, wait_until
+from tests.browser.waiting import floats
 
 pytestmark = pytest.mark.long
 
@@ -34,14 +35,11 @@ def cast() -> Cast:
 
 
 @pytest.fixture
-def stage(open_page: Callable[..., Page]) -> Callable[..., Page]:
+def stage(held_stage: OpenPage) -> Callable[..., Page]:
     """Opens a stage that draws what it is to hold."""
 
     def open_one(query: str, *, width: int = 160, height: int = 240) -> Page:
-        page = open_page(f"/stage{query}", width=width, height=height)
-        wait_until(page, "stage && stage.counters().drawn > 0", "const stage = window.omoteStage")
-        draw_on_demand(page)
-        return page
+        return held_stage(query, width=width, height=height)
 
     return open_one
 

@@ -14,7 +14,7 @@ from scipy import ndimage
 from omote.builtin import load_cast, load_meshes
 from omote.stage_data.assets import documents
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, wait_until
+from tests.browser.waiting import wait_until
 
 pytestmark = pytest.mark.long
 
@@ -32,12 +32,9 @@ STEEPEST = (
 @pytest.fixture(
     params=["lowest", *(pytest.param(level, marks=pytest.mark.slow) for level in ("medium", "good")), "high"]
 )
-def stage(request: pytest.FixtureRequest, open_page: OpenPage) -> Page:
+def stage(request: pytest.FixtureRequest, held_stage: OpenPage) -> Page:
     """A stage at a level, without a backdrop, in even light; it draws what it is told to hold."""
-    page = open_page(f"/stage?quality={request.param}&light=flat&transparent", width=SIDE, height=SIDE)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
-    return page
+    return held_stage(f"?quality={request.param}&light=flat&transparent", width=SIDE, height=SIDE)
 
 
 def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
@@ -89,12 +86,10 @@ def test_half_a_dog_wears_her_hair_whole_and_in_between_its_colours(stage: Page)
     assert hair[1] > 1.15 * hair[0]
 
 
-def test_a_fringe_of_broad_ribbons_shades_the_forehead_as_one_of_thin_ribbons_does(open_page: OpenPage) -> None:
+def test_a_fringe_of_broad_ribbons_shades_the_forehead_as_one_of_thin_ribbons_does(held_stage: OpenPage) -> None:
     seen = {}
     for level in ("low", "medium", "high"):  # no shadow, of broad ribbons, of thin ones
-        page = open_page(f"/stage?quality={level}&light=theatre", width=SIDE, height=SIDE)
-        wait_until(page, "window.omoteStage?.counters().drawn")
-        draw_on_demand(page)
+        page = held_stage(f"?quality={level}&light=theatre", width=SIDE, height=SIDE)
         seen[level] = look(page, {"kaori": 1.0})[: int(BROWS * SIDE), :, :3]
     forehead = seen["low"].max(axis=2) > 150
     assert forehead.sum() > SMALL

@@ -6,9 +6,8 @@ import numpy as np
 
 from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, wait_until
+from tests.browser.waiting import wait_until
 
-READY = "window.omoteStage?.counters().drawn"
 HOLD = "pose => window.omoteStage.hold(pose)"
 GREEN = (0, 0xB1, 0x40, 255)
 
@@ -23,10 +22,8 @@ def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> No
         assert (pixels[:60, -40:] == colour).all()
 
 
-def test_a_light_changes_as_smoothly_as_its_weights(open_page: OpenPage) -> None:
-    page = open_page("/stage?quality=lowest", width=160, height=160)
-    wait_until(page, READY)
-    draw_on_demand(page)
+def test_a_light_changes_as_smoothly_as_its_weights(held_stage: OpenPage) -> None:
+    page = held_stage("?quality=lowest", width=160, height=160)
     shown = []
     for weight in np.linspace(0.0, 1.0, 17):
         page.evaluate(HOLD, {"light": {"theatre": 1.0 - float(weight), "portrait": float(weight)}})

@@ -10,7 +10,6 @@ from playwright.sync_api import Page
 from omote.builtin import load_cast
 from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, wait_until
 
 YAW = 0.52  # radians: the inner sides of the far teeth show
 DARK = 30  # of 255: what nothing is lit in
@@ -37,12 +36,9 @@ def inside(page: Page, face: str) -> NDArray[np.float64]:
 
 
 @pytest.fixture
-def stage(open_page: OpenPage) -> Page:
+def stage(held_stage: OpenPage) -> Page:
     """The lower right of a wall, where mouths are of heads that are turned."""
-    page = open_page("/stage?quality=medium&tile=1,1&of=2x2", width=260, height=300)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
-    return page
+    return held_stage("?quality=medium&tile=1,1&of=2x2", width=260, height=300)
 
 
 @pytest.mark.parametrize("face", ["kaori", "dog"])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -10,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page
 
+from tests.browser.conftest import OpenPage
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, wait_until
 
 pytestmark = pytest.mark.long
 
@@ -25,11 +24,8 @@ def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
 
 
 @pytest.fixture
-def stage(open_page: Callable[..., Page]) -> Page:
-    page = open_page("/stage?quality=medium", width=320, height=320)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
-    return page
+def stage(held_stage: OpenPage) -> Page:
+    return held_stage("?quality=medium", width=320, height=320)
 
 
 def test_fur_shows_strands_where_lacquer_is_even(stage: Page) -> None:
@@ -58,10 +54,8 @@ def test_between_skin_and_fur_nothing_pops(stage: Page) -> None:
     assert max(steps) < 3.0 * np.mean(steps)
 
 
-def test_fur_has_an_outline_of_strands_where_a_mask_is_cut_clean(open_page: Callable[..., Page]) -> None:
-    page = open_page("/stage?quality=medium&transparent", width=320, height=320)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
+def test_fur_has_an_outline_of_strands_where_a_mask_is_cut_clean(held_stage: OpenPage) -> None:
+    page = held_stage("?quality=medium&transparent", width=320, height=320)
 
     def fringe(face: str) -> float:
         """Pixels that a head covers in part, for each row that it is in, above the collar."""

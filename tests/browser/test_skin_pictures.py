@@ -21,7 +21,6 @@ from omote.showfile.show_file import open_show
 from tests.browser.conftest import playing
 from tests.browser.pictures import picture
 from tests.browser.test_editor import SETTLED, Editor, editor, wait_for
-from tests.browser.waiting import draw_on_demand, wait_until
 
 __all__ = ["editor"]
 
@@ -74,11 +73,8 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 
 @pytest.fixture
-def stage(open_page: Callable[..., Page], request: pytest.FixtureRequest) -> Page:
-    page = open_page(f"/stage?quality={request.param}&light=flat", width=320, height=320)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
-    return page
+def stage(held_stage: Callable[..., Page], request: pytest.FixtureRequest) -> Page:
+    return held_stage(f"?quality={request.param}&light=flat", width=320, height=320)
 
 
 def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:

@@ -43,17 +43,30 @@ def wait_for(page: Page, condition: str) -> None:
 
 
 @pytest.fixture
-def stage(open_page: OpenPage) -> Callable[..., Page]:
+def stage(open_page: OpenPage, held_stage: OpenPage) -> Callable[..., Page]:
     """Opens a stage and waits until it draws; one that is not `live` draws what it is to hold from then on."""
 
-    def open_one(
-        query: str = "", *, width: int = 320, height: int = 240, live: bool = False, over: Page | None = None
-    ) -> Page:
-        page = open_page(f"/stage{query}", width=width, height=height, over=over)
-        wait_for(page, "stage.counters().drawn > 0")
+    def open_one(query: str = "", *, width: int = 320, height: int = 240, live: bool = False) -> Page:
         if not live:
-            draw_on_demand(page)
+            return held_stage(query, width=width, height=height)
+        page = open_page(f"/stage{query}", width=width, height=height)
+        wait_for(page, "stage.counters().drawn > 0")
         return page
+
+    return open_one
+
+
+@pytest.fixture
+def tile(open_page: OpenPage) -> Callable[..., Page]:
+    """Opens a stage that draws what it is to hold, in the place of the last one."""
+    opened: Page | None = None
+
+    def open_one(query: str, *, width: int, height: int) -> Page:
+        nonlocal opened
+        opened = open_page(f"/stage{query}", width=width, height=height, over=opened)
+        wait_for(opened, "stage.counters().drawn > 0")
+        draw_on_demand(opened)
+        return opened
 
     return open_one
 
@@ -132,17 +145,25 @@ def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
     return {name: whole[name] for name in POSE}
 
 
+@pytest.fixture(scope="module")
+def random_frames(cast: Cast) -> list[tuple[Frame, Floats]]:
+    """Frames, every second one with regions of its own, and what the evaluator has of each."""
+    rng = np.random.default_rng(1993)
+    pool = Pool.drawn(cast, rng)
+    frames = [random_frame(pool, rng, regional=number % 2 == 1) for number in range(FRAMES)]
+    return [(frame, expected(cast, frame)) for frame in frames]
+
+
 @pytest.mark.parametrize("level", ["lowest", "medium"])
-def test_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast, level: str) -> None:
+def test_positions_equal_the_bilinear_evaluator(
+    stage: Callable[..., Page], cast: Cast, random_frames: list[tuple[Frame, Floats]], level: str
+) -> None:
     """By shaders, or at low levels without a graphics processor not. With and without regions that go their own way, in
     turn: what one leaves on the GPU is not in the next."""
     page = stage(f"?quality={level}")
-    rng = np.random.default_rng(1993)
-    pool = Pool.drawn(cast, rng)
-    for number in range(FRAMES):
-        frame = random_frame(pool, rng, regional=number % 2 == 1)
+    for frame, points in random_frames:
         hold(page, pose_of(cast, frame))
-        wrong = np.linalg.norm(positions(page) - expected(cast, frame), axis=1)
+        wrong = np.linalg.norm(positions(page) - points, axis=1)
         assert wrong.max() < TOLERANCE, (frame, wrong.argmax())
 
 
@@ -257,17 +278,15 @@ def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Pag
     assert (picture(page) == 0).all(), "what it lies over stays"
 
 
-def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
-    page = stage("", width=480, height=360)
-
-    def shown(query: str, width: int, height: int) -> NDArray[np.int16]:
-        stage(query, width=width, height=height, over=page)
+def test_nine_tiles_make_one_picture(stage: Callable[..., Page], tile: Callable[..., Page]) -> None:
+    def shown(page: Page) -> NDArray[np.int16]:
         hold_scene(page, TWO)
         return picture(page)
 
-    hold_scene(page, TWO)
-    whole = picture(page)
-    tiles = [[shown(f"?tile={column},{row}&of=3x3", 160, 120) for column in range(3)] for row in range(3)]
+    whole = shown(stage("", width=480, height=360))
+    tiles = [
+        [shown(tile(f"?tile={column},{row}&of=3x3", width=160, height=120)) for column in range(3)] for row in range(3)
+    ]
     wall = np.concatenate([np.concatenate(row, axis=1) for row in tiles], axis=0)
     difference = np.abs(wall - whole).max(axis=2)
     assert wall.std() > 20
@@ -275,13 +294,13 @@ def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
     assert difference.mean() < 0.5
 
 
-def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page]) -> None:
+def test_a_bezel_hides_what_lies_behind_it(stage: Callable[..., Page], tile: Callable[..., Page]) -> None:
     """Two tiles with a gap of 20 % are the outer parts of one picture of 2.2 tiles."""
     whole = stage("", width=352, height=160)
     hold(whole, LAUGHING)
     everything = picture(whole)
     for column, left in ((0, 0), (1, 192)):
-        page = stage(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160, over=whole)
+        page = tile(f"?tile={column},0&of=2x1&bezel=20", width=160, height=160)
         hold(page, LAUGHING)
         difference = np.abs(picture(page) - everything[:, left : left + 160]).max(axis=2)
         assert (difference <= 2).mean() > 0.99

@@ -1,5 +1,6 @@
 """Messages of OSC: each address becomes its message, and what is wrong is said in words."""
 
+import contextlib
 import math
 
 import msgspec
@@ -7,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.inputs.osc_addresses import ADDRESSES, Address
+from omote.inputs.osc_addresses import ADDRESSES
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.perform.easing import HAND_SECONDS
@@ -256,12 +257,9 @@ def test_a_reader_fits_its_own_cast_and_characters_alone() -> None:
     assert not reader.fits(synthetic.cast.__wrapped__(), {"one": "One"})
 
 
-@pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)
 @given(st.lists(st.one_of(st.text(max_size=5), st.floats(), st.integers(), st.none(), st.binary()), max_size=5))
-def test_no_arguments_raise_anything_else(address: Address, given: list[Argument]) -> None:
-    written = address.pattern.replace("{character}", "one").replace("{name}", "smile").replace("{region}", "eyes")
-    try:
-        found = orders(written, *given)
-    except OscError:
-        return
-    assert all(isinstance(message, Message) for message in found)
+def test_no_arguments_raise_anything_else(given: list[Argument]) -> None:
+    for address in ADDRESSES:
+        written = address.pattern.replace("{character}", "one").replace("{name}", "smile").replace("{region}", "eyes")
+        with contextlib.suppress(OscError):
+            assert all(isinstance(message, Message) for message in orders(written, *given))

@@ -15,11 +15,12 @@ from omote.perform.speech.visemes import VISEMES
 CAST = load_cast()
 
 
-@pytest.mark.parametrize("unit", ARKIT_NAMES)
-def test_arkit_s_names_are_their_units_in_each_spelling(unit: str) -> None:
-    short = unit.replace("Left", "_L").replace("Right", "_R") if unit.startswith(("eye", "mouth", "brow")) else unit
-    for spelling in (unit, unit[0].upper() + unit[1:], f"head.{unit}", short):
-        assert read_shape_name(spelling).units == (unit,)
+def test_arkit_s_names_are_their_units_in_each_spelling() -> None:
+    for unit in ARKIT_NAMES:
+        sided = unit.startswith(("eye", "mouth", "brow"))
+        short = unit.replace("Left", "_L").replace("Right", "_R") if sided else unit
+        for spelling in (unit, unit[0].upper() + unit[1:], f"head.{unit}", short):
+            assert read_shape_name(spelling).units == (unit,)
 
 
 def test_units_of_both_sides_and_halves_of_whole_ones_are_found() -> None:

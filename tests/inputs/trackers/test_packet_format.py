@@ -1,5 +1,7 @@
 """Packets by their first bytes: each protocol's is known, and what comes to a wrong port is told where it goes."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,9 @@ from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.model.cast import Cast
 from tests.inputs.trackers.packets import motion_schema
 from tests.inputs.trackers.test_tracker_input import FACES, Stage
+
+PROTOCOLS = ("vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe")
+"""Those whose packets no other protocol reads."""
 
 
 @pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
@@ -26,22 +31,17 @@ def test_other_beginnings_are_recognized_and_what_is_none_is_not() -> None:
         assert recognize_format(other) == ""
 
 
-@pytest.mark.parametrize("protocol", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
-@pytest.mark.parametrize("sent", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
-@pytest.mark.parametrize("before", [False, True])
-def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(
-    cast: Cast, protocol: str, sent: str, before: bool
-) -> None:
+@pytest.mark.parametrize("protocol", PROTOCOLS)
+def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(cast: Cast, protocol: str) -> None:
     """Also where its own packets have come before."""
-    stage = Stage(cast, protocol)
-    if before:
-        stage.play(0.0, FACES[protocol]())
-    stage.play(0.0, FACES[sent]())
-    reason = "" if stage.trackers.last_rejection is None else stage.trackers.last_rejection.reason
-    assert (reason == "") == (sent == protocol)
-    if reason:
-        assert reason == explain_format(sent)
-        assert TRACKER_PROTOCOLS[sent].title in reason
+    for sent, before in product(PROTOCOLS, (False, True)):
+        stage = Stage(cast, protocol)
+        if before:
+            stage.play(0.0, FACES[protocol]())
+        stage.play(0.0, FACES[sent]())
+        reason = "" if stage.trackers.last_rejection is None else stage.trackers.last_rejection.reason
+        assert reason == ("" if sent == protocol else explain_format(sent))
+        assert sent == protocol or TRACKER_PROTOCOLS[sent].title in reason
 
 
 def test_the_port_is_the_one_where_it_is_heard_or_its_usual_one() -> None:

@@ -94,11 +94,6 @@ def test_points_far_from_the_head_are_not_its_own() -> None:
     assert not found.inside[len(head.positions) :].any()
 
 
-def test_two_heads_are_asked_about() -> None:
-    both = join_scans(head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0])))
-    assert any("more than one head" in doubt for doubt in _find(both).doubts)
-
-
 @pytest.mark.parametrize("apart", [0.35, 0.45])
 def test_two_heads_are_asked_about_where_the_second_is_not_like_others(apart: float) -> None:
     """A second head was not noticed: guessed from thinned samples it stayed 2 mm beside itself."""
