@@ -9,10 +9,8 @@ export SYSTEM_NODE := $(shell $(PYTHON) tools/node.py >/dev/null 2>&1 && echo ye
 endif
 NODE := $(if $(filter yes,$(SYSTEM_NODE)),$(PYTHON),$(RUN)) tools/node.py web
 # Those of one file stay together, since they share what a module sets up. Tests wait for processes and pages, so that
-# one worker more than there are cores keeps those busy; `make test` runs both kinds at once, those in a browser beside
-# the others, which wait less.
-PYTEST = $(RUN) -m pytest --dist=loadfile --no-loadscope-reorder --numprocesses=$(WORKERS)
-WORKERS = $$(( $(CORES) + 1 ))
+# one worker more than there are cores keeps those busy.
+PYTEST = $(RUN) -m pytest --dist=loadfile --no-loadscope-reorder --numprocesses=$$(( $(CORES) + 1 ))
 CORES = $(shell $(PYTHON) -c "import os; print(min(os.cpu_count() or 1, 4))" 2>/dev/null)
 export OPENBLAS_NUM_THREADS := 1
 # What one process compiles the next one reads: tests start hundreds, a show three.
@@ -90,7 +88,7 @@ $(CAST): $(CAST_FROM) | $(SHOW_PACKAGES)
 test:
 	@$(MAKE) --jobs=2 $(PACKAGES) $(if $(filter yes,$(SYSTEM_NODE)),$(MODULES))
 	@$(MAKE) --jobs=3 browser $(CAST) $(PAGES) check-python check-web compiled
-	@$(MAKE) --jobs=2 tests-and-wheel browser-tests WORKERS=$(CORES)
+	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
 
 # What three workers import at once each of them would compile, tests and kernels too: one does it for all.
