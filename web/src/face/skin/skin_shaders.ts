@@ -123,6 +123,7 @@ vec3 dropped(Water water, vec3 form, vec3 normal, vec3 view, vec3 below, vec3 ke
   vec3 level = cross(vUp, form);
   level *= inversesqrt(max(dot(level, level), 1e-6)); // under the chin nothing is level
   vec3 upright = cross(form, level);
+  normal = normalize(mix(normal, form, water.lies)); // pores are under water
   vec3 domed = normalize(normal + water.slope.x * level + water.slope.y * upright);
   vec2 towards = vec2(dot(KEY, level), dot(KEY, upright));
   float steep = min(length(water.slope), 1.2);
