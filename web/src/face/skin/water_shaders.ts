@@ -7,7 +7,6 @@
  */
 const DROPS = `
 uniform float drops;
-in vec3 vFrontal; // the place on the generic head, metres
 struct Water { float lies; vec2 slope; float film; };
 
 float bell(vec2 place, vec2 middle, vec2 radius) {
