@@ -186,7 +186,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   Water water = waterAt((1.0 - at.hair) * (1.0 - at.lips));
   wet = max(wet, max(water.lies, 0.5 * water.film));
   sharpness = mix(sharpness, 42.0, 0.8 * water.film);
-  strength = mix(strength, max(strength, 0.85 * open), water.film) * (1.0 - 0.5 * water.lies);
+  strength = mix(strength, max(strength, 0.85 * open), water.film) * (1.0 - 0.4 * water.lies);
 #endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);
