@@ -55,7 +55,7 @@ export const SKIN_LIMIT = 1.5;
 /** The numbers of a complexion, with the region whose mix brings each. */
 export const COMPLEXION = {"cheeks": "mouth", "nose": "rest", "forehead": "brows", "eyes": "eyes", "whole": null, "tears": "eyes", "sweat": null} as const;
 /** Where blood shows on the generic head: middle, radii (metres), share. */
-export const BLOOD_SPOTS = {"cheeks": [[0.044, -0.035, 0.018, 0.017, 0.6], [0.057, -0.024, 0.03, 0.018, 0.65]], "nose": [[0.0, -0.036, 0.014, 0.013, 1.0], [0.0, -0.098, 0.017, 0.012, 0.6]], "forehead": [[0.0, 0.044, 0.046, 0.027, 1.0], [0.0, 0.016, 0.015, 0.014, 0.5]], "eyes": [[0.034, -0.003, 0.022, 0.016, 1.0]]} as const;
+export const BLOOD_SPOTS = {"cheeks": [[0.042, -0.037, 0.029, 0.026, 0.5], [0.058, -0.026, 0.042, 0.028, 0.45]], "nose": [[0.0, -0.036, 0.014, 0.013, 1.0], [0.0, -0.098, 0.017, 0.012, 0.6]], "forehead": [[0.0, 0.044, 0.046, 0.027, 1.0], [0.0, 0.016, 0.015, 0.014, 0.5]], "eyes": [[0.034, -0.003, 0.022, 0.016, 1.0]]} as const;
 /** What of a complexion a layer brings in one region of the head alone. */
 export const COMPLEXION_OF_REGION = {"brows": ["forehead"], "eyes": ["eyes", "tears"], "nose": ["nose"], "cheeks": ["cheeks"], "skull": ["whole", "sweat"]} as const;
 /** Units whose pressing of the skin counts as rest. */

@@ -61,7 +61,7 @@ OF_REGION: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """The parts that a layer of a recipe brings in one region of the head alone; all of them without a region."""
 SPOTS: Mapping[str, tuple[tuple[float, float, float, float, float], ...]] = MappingProxyType(
     {
-        "cheeks": ((0.044, -0.035, 0.018, 0.017, 0.6), (0.057, -0.024, 0.030, 0.018, 0.65)),
+        "cheeks": ((0.042, -0.037, 0.029, 0.026, 0.5), (0.058, -0.026, 0.042, 0.028, 0.45)),
         "nose": ((0.0, -0.036, 0.014, 0.013, 1.0), (0.0, -0.098, 0.017, 0.012, 0.6)),
         "forehead": ((0.0, 0.044, 0.046, 0.027, 1.0), (0.0, 0.016, 0.015, 0.014, 0.5)),
         "eyes": ((0.034, -0.003, 0.022, 0.016, 1.0),),

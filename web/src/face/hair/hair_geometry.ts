@@ -23,6 +23,9 @@ export interface RibbonStyle {
  */
 const TRIANGLES = { round: 15, fine: 15, coarse: 8 };
 
+/** The power by which places of thin ribbons stand nearer to the root, where hair bends out of the skin. */
+const BENT = 1.4;
+
 /** Where hair is less full than this down grows before it, in thin ribbons of its own; and how full the shader finds those. */
 const [DOWNY, DOWN] = [0.4, -1];
 
@@ -129,7 +132,7 @@ function geometryOf(hair: HairStrands, features: Features): THREE.InstancedBuffe
 
 /** The places along a ribbon (across -1..1, along 0..1) that one triangle lies between each three of. */
 function courseOf({ ribbons, hair }: Features): [number, number][] {
-  if (ribbons > 1) return zigzag(TRIANGLES.round);
+  if (ribbons > 1) return zigzag(TRIANGLES.round).map(([across, along]) => [across, along ** BENT]);
   return zigzag(hair < 0.5 ? TRIANGLES.coarse : TRIANGLES.fine);
 }
 

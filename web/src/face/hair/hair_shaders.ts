@@ -124,13 +124,13 @@ uniform sampler2D grain;
 #define DOWN_FINE 0.2 // of the width
 #define DOWN_APART 0.009 // metres that the down of one strand spreads over to either side, and half as far ahead of the hairline
 #define KIN_APART 6.5 // half-widths of a ribbon that those of one strand spread over
-/** A round course through the stations (Catmull and Rom 1974): where it is \`part\` of the way between the middle two. */
+/** A round course beside the stations, a uniform cubic B-spline: where it is \`part\` of the way between the middle two. */
 vec3 coursed(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
-  return b + 0.5 * part * (c - a + part * (2.0 * a - 5.0 * b + 4.0 * c - d + part * (3.0 * (b - c) + d - a)));
+  return (a + 4.0 * b + c + part * (3.0 * (c - a) + part * (3.0 * (a - 2.0 * b + c) + part * (d - a + 3.0 * (b - c))))) / 6.0;
 }
 
 vec3 heading(vec3 a, vec3 b, vec3 c, vec3 d, float part) {
-  return 0.5 * (c - a) + part * (2.0 * a - 5.0 * b + 4.0 * c - d + 1.5 * part * (3.0 * (b - c) + d - a));
+  return 0.5 * (c - a + part * (2.0 * (a - 2.0 * b + c) + part * (d - a + 3.0 * (b - c))));
 }
 #endif
 
@@ -172,6 +172,8 @@ void main() {
 #ifdef DETAIL
   float part = at - float(here);
   vec3 after = texelFetch(strands, ivec2(min(here + 2, int(stations) - 1), strand), 0).xyz;
+  if (here == 0) before = 2.0 * from - to; // it begins and ends at stations
+  if (here + 2 >= int(stations)) after = 2.0 * to - from;
   vec4 facing = mix(
     texelFetch(shape, ivec2(here, strand), 0), texelFetch(shape, ivec2(here + 1, strand), 0), part);
   vec3 spot = coursed(before, from, to, after, part);
@@ -187,8 +189,9 @@ void main() {
   aside = normalize(aside + roll * away);
 #ifdef DETAIL
   if (isDown) spot += DOWN_APART * ((2.0 * chanceOf(4u) - 1.0) * aside - 0.5 * chanceOf(5u) * along + 0.12 * place.y * (2.0 * chanceOf(6u) - 1.0) * aside);
-  float apart = isDown ? 0.0 : KIN_APART * smoothstep(0.0, 0.15, place.y) * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
-  spot += apart * width * ((chanceOf(4u) - 0.5) * aside + 0.4 * chanceOf(5u) * away);
+  // Ribbons of one strand part in the skin: from one root they would come in tufts, with a kink where they spread
+  float apart = isDown ? 0.0 : KIN_APART * width * (1.0 + 0.3 * sin(5.0 * place.y + 6.3 * chance));
+  spot += apart * (mix(0.7, 1.0, smoothstep(0.0, 0.4, place.y)) * (chanceOf(4u) - 0.5) * aside + 0.4 * smoothstep(0.0, 0.3, place.y) * chanceOf(5u) * away);
   float loose = min(0.13 * length_ * metres, 0.011) * stray * place.y * place.y;
   spot += loose * ((0.3 + chanceOf(4u)) * away + 1.6 * (chance - 0.5) * aside);
 #endif
@@ -292,7 +295,7 @@ void main() {
   float edge = vDiffuse.w * vDiffuse.w;
   if (vFibre.z + vFibre.w * (fibre.r - 0.5) - EDGE * edge * edge <= 0.0) discard;
   vec3 albedo = tint * (0.25 + 1.5 * fibre.r);
-  colour = vec4(display(albedo * vDiffuse.rgb + (0.05 + 0.25 * albedo) * (0.4 + 1.2 * fibre.g) * vSheen), 1.0);
+  colour = vec4(display(albedo * vDiffuse.rgb + (0.12 + 0.25 * albedo) * (0.4 + 1.2 * fibre.g) * vSheen), 1.0);
 }
 #else
 void main() {
@@ -315,15 +318,15 @@ void main() {
 #endif
   if (cover <= 0.0) discard;
   vec3 sheen, glow;
-  sheens(vRim, vHalves, vFacing.x, vFacing.y, 0.35 * (fibre.g - 0.5), sheen, glow);
+  sheens(vRim, vHalves, vFacing.x, vFacing.y, 0.5 * (fibre.g - 0.5) + 0.1 * (vChance.y - 0.5), sheen, glow);
 #ifdef DETAIL
-  vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
-  albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 3.0 + 0.4 * fibre.g)); // no two of one hue
+  vec3 albedo = tint * (0.88 + 0.3 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
+  albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 0.35 + 0.8 * fibre.g)); // no two of one hue
 #else
   vec3 albedo = tint * (0.72 + 0.56 * vChance.x) * (0.25 + 1.5 * fibre.r);
 #endif
   vec3 seen = albedo * vDiffuse;
-  seen += (0.05 + 0.25 * albedo) * sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * glow;
+  seen += (0.12 + 0.25 * albedo) * sheen * (0.4 + 1.2 * fibre.g) + (0.02 + 0.9 * albedo) * glow;
 #ifdef SOFT
   colour = vec4(display(seen), cover);
 #else

@@ -23,7 +23,7 @@ const skin = {
 };
 const bag = Float32Array.from(rows, (row) => (Math.floor(row / 3) === 1 ? 0.001 : 0));
 const traits = Float32Array.from({ length: 4 * ROWS }, (_, at) => (at % 4 === 0 ? 1 : 0));
-const { rootRows, rootShares, root } = furRoots(skin, { positions, traits, bag, lips: LIPS });
+const { rootRows, rootShares, flow, root } = furRoots(skin, { positions, traits, bag, lips: LIPS });
 const strands = [...Array(root.length / 4).keys()];
 const triangleOf = (strand: number) => Math.floor((rootRows[3 * strand] as number) / 3);
 
@@ -47,5 +47,20 @@ it("has each root on its triangle, the nearest row first, and its place on the p
       expect(root[4 * strand + axis]).toBeCloseTo(place, 6);
     }
     expect(root[4 * strand + 2]).toBeCloseTo(1, 12);
+  }
+});
+
+it("lies along its triangle, down and back from the muzzle, as long as it is painted", () => {
+  for (const strand of strands) {
+    const way = [0, 1, 2].map((axis) =>
+      [0, 1, 2].reduce((sum, n) => {
+        const row = rootRows[3 * strand + n] as number;
+        return sum + (flow[3 * strand + n] as number) * (positions[3 * row + axis] as number);
+      }, 0),
+    );
+    expect(way[2]).toBeCloseTo(0, 9);
+    expect(Math.hypot(...way)).toBeGreaterThan(0.0039);
+    expect(Math.hypot(...way)).toBeLessThan(0.0101);
+    if (triangleOf(strand) === 3) expect(way[0]).toBeGreaterThan(0); // an ear's lies away from the midline
   }
 });

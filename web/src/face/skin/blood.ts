@@ -49,5 +49,5 @@ float bloodAt(float pressed) { return clamp(flush + dot(spots, blood) + pressed,
 `;
 export const FLUSHED = `
 /** Skin without blood is sallow, not green. */
-vec3 flushed(float blood) { return exp(-blood * (blood > 0.0 ? vec3(0.07, 0.52, 0.44) : vec3(0.16, 0.38, 0.42))); }
+vec3 flushed(float blood) { return exp(-blood * (blood > 0.0 ? vec3(0.06, 0.43, 0.36) : vec3(0.16, 0.38, 0.42))); }
 `;

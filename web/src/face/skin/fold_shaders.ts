@@ -13,6 +13,7 @@ uniform sampler2D level_folds;
 uniform sampler2D upright_folds;
 uniform float folds;
 in vec3 vPressed; // level, mixed, upright, of the most
+in vec3 vFrontal; // the place on the generic head, metres
 struct Folded { vec3 slope; float groove; };
 
 /** How deep a line is; \`across\`: its normal, level and upright. */
@@ -45,6 +46,11 @@ Folded foldsAt(vec3 normal, Ground at) {
   found.slope += slope * (across.x * level + across.y * upright);
   found.slope *= inversesqrt(1.0 + dot(found.slope, found.slope)); // softly below 1
   found.groove = clamp(max(found.groove, line.g * depth), 0.0, 1.0);
+  // Each opening of the mouth presses the cheeks' folds: there they are form, and hardly lines
+  vec2 off = (vec2(abs(vFrontal.x), vFrontal.y) - vec2(0.034, -0.068)) / vec2(0.018, 0.036);
+  float beside = exp(-dot(off, off)) * (1.0 - at.fur);
+  found.slope *= 1.0 - 0.35 * beside;
+  found.groove *= 1.0 - 0.65 * beside;
   return found;
 }
 `;

@@ -29,8 +29,8 @@ vec3 bounced(float open, vec3 albedo) {
 }
 
 vec3 deepened(vec3 albedo, float flesh) {
-  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.28 * flesh)
-    * mix(vec3(1.0), vec3(1.07, 0.97, 0.95), flesh); // blood lets red pass
+  return mix(vec3(1.0), 1.12 * albedo / max(max(albedo.r, albedo.g), max(albedo.b, 1e-3)), 0.32 * flesh)
+    * mix(vec3(1.0), vec3(1.08, 0.97, 0.945), flesh); // blood lets red pass
 }
 `;
 
@@ -98,7 +98,7 @@ vec3 fine(vec3 normal, Ground at) {
   vec4 slope = (layer(relief) - 0.5) * ${(2 * STEEPEST).toFixed(1)};
   float skinned = (1.0 - at.hair) * (1.0 - at.fur) * (1.0 - lacquer);
   vec2 young = slope.rg * max(pores, at.lips * 0.8);
-  return tilted(normal, (young * 2.0 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
+  return tilted(normal, (young * 2.6 + slope.ba * age * (1.0 - 0.6 * at.lips)) * skinned);
 }
 #endif
 
@@ -123,6 +123,7 @@ vec3 dropped(Water water, vec3 form, vec3 normal, vec3 view, vec3 below, vec3 ke
   vec3 level = cross(vUp, form);
   level *= inversesqrt(max(dot(level, level), 1e-6)); // under the chin nothing is level
   vec3 upright = cross(form, level);
+  normal = normalize(mix(normal, form, water.lies)); // pores are under water
   vec3 domed = normalize(normal + water.slope.x * level + water.slope.y * upright);
   vec2 towards = vec2(dot(KEY, level), dot(KEY, upright));
   float steep = min(length(water.slope), 1.2);
@@ -153,7 +154,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 #endif
   float flesh = (1.0 - at.hair) * (1.0 - 0.6 * at.fur) * (1.0 - 0.7 * lacquer);
   vec3 blurred = vec3(0.65, 0.32, 0.2) * flesh; // red light goes furthest: fine relief hardly shows in it
-  vec3 wrap = vec3(0.05) + (vec3(0.15, 0.10, 0.075) + layers.finish.g * vec3(0.08, 0.045, 0.03)) * flesh;
+  vec3 wrap = vec3(0.05) + (vec3(0.22, 0.10, 0.06) + layers.finish.g * vec3(0.10, 0.045, 0.025)) * flesh;
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
   float sunlit = shadow(vPoint, form);
@@ -161,8 +162,8 @@ vec3 lit(Layers layers, Ground at, float open) {
 #ifdef DETAIL
   sunlit = max(sunlit, 0.3 * inside); // lips shade each other, and light goes through them
 #endif
-  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit), 0.1 * flesh); // a trace of red where light comes out beside
-  key *= mix(vec3(1.0), mix(vec3(1.0, 0.95, 0.92), vec3(1.0), key), flesh);
+  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit * sunlit), 0.3 * flesh); // light that comes out beside: red far into a shadow, blue not
+  key *= mix(vec3(1.0), mix(vec3(1.0, 0.93, 0.88), vec3(1.0), key), flesh);
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
   vec3 shade = mix(vec3(open), bounced(open, at.albedo), flesh);
   float warm = mix(flesh, 1.0, 0.6 * at.hair); // the scalp between hairs is skin too
@@ -177,15 +178,15 @@ vec3 lit(Layers layers, Ground at, float open) {
 
   float wet = at.lips * gloss * (1.0 - at.fur) + at.leather * 0.7;
   float oily = layers.finish.r * (0.35 + 0.65 * pores) * (1.0 - 0.55 * age);
-  float sharpness = mix(mix(10.0, 26.0, oily), 90.0, max(wet, lacquer * 0.75));
-  float strength = (0.26 + 0.52 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
+  float sharpness = mix(mix(11.0, 32.0, oily), 90.0, max(wet, lacquer * 0.75));
+  float strength = (0.32 + 0.66 * oily + 1.1 * wet) * mix(1.0, layers.finish.b, pores);
   strength = mix(strength, 0.8, lacquer) * (1.0 - 0.97 * at.hair) * (1.0 - 0.8 * (at.fur - at.leather));
   strength *= open;
 #ifdef DETAIL
   Water water = waterAt((1.0 - at.hair) * (1.0 - at.lips));
   wet = max(wet, max(water.lies, 0.5 * water.film));
   sharpness = mix(sharpness, 42.0, 0.8 * water.film);
-  strength = mix(strength, max(strength, 0.85 * open), water.film) * (1.0 - 0.5 * water.lies);
+  strength = mix(strength, max(strength, 0.85 * open), water.film) * (1.0 - 0.4 * water.lies);
 #endif
   vec3 aside = onFlesh(FILL_LIGHT, flesh) * mix(1.0, 0.6, flesh);
   vec3 mirror = KEY_LIGHT * sunlit * lobes(normal, view, KEY, sharpness) + aside * lobes(normal, view, FILL, sharpness * 0.5);

@@ -7,7 +7,6 @@
  */
 const DROPS = `
 uniform float drops;
-in vec3 vFrontal; // the place on the generic head, metres
 struct Water { float lies; vec2 slope; float film; };
 
 float bell(vec2 place, vec2 middle, vec2 radius) {
@@ -25,12 +24,13 @@ Water wayOf(vec2 place, vec2 start, float aside, float ahead, float reach) {
   float down = start.y - place.y;
   float share = clamp(down / 0.085, 0.0, 1.0);
   float middle = start.x + aside * share * (1.6 - 0.6 * share) + 0.0008 * sin(down * 330.0 + ahead * 40.0) * share;
-  float off = (place.x - middle) / 0.0011;
-  float film = exp(-off * off) * smoothstep(-0.001, 0.003, down) * (1.0 - smoothstep(reach - 0.012, reach, down));
+  float off = (place.x - middle) / mix(0.0014, 0.0010, share);
+  float edge = (abs(off) - 1.05) / 0.4; // a film is level, and rises from the skin at its two edges
+  float film = (1.0 - smoothstep(0.7, 1.5, abs(off))) * smoothstep(-0.001, 0.003, down) * (1.0 - smoothstep(reach - 0.012, reach, down));
   float along = fract((down - drops) / 0.038 + ahead);
   vec2 from = vec2(place.x - middle, (along - 0.5) * 0.038) / vec2(0.0021, 0.0034);
   float drop = exp(-dot(from, from)) * smoothstep(0.0, 0.006, down) * (1.0 - smoothstep(reach - 0.006, reach, down));
-  return Water(max(0.55 * film, drop), vec2(off * film * 0.35 + 1.1 * from.x * drop, -1.1 * from.y * drop), 0.0);
+  return Water(max(0.55 * film, drop), vec2(0.8 * sign(off) * exp(-edge * edge) * film + 1.1 * from.x * drop, -1.1 * from.y * drop), 0.0);
 }
 
 Water tearAt(vec2 place, float side) {
