@@ -101,7 +101,7 @@ in vec3 vPoint;
 in vec3 vNormal;
 in vec3 vLight;
 
-const vec3 FLESH = vec3(0.74, 0.50, 0.42); // of the light on the mouth's walls and teeth, what they send on
+const vec3 FLESH = vec3(0.70, 0.54, 0.46); // of the light on the mouth's walls and teeth, what they send on
 const vec3 SEAM = vec3(0.075, 0.016, 0.013);
 
 /** Light on something wet in the mouth: through the lips, and back from the red walls. */
@@ -114,7 +114,7 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
 #ifdef DETAIL
   sky = (sky + KEY_LIGHT * vec3(0.16, 0.12, 0.10) * around) / (1.0 - FLESH * (1.0 - around)); // what the walls keep in goes to and fro, and has been on flesh
-  vec3 walls = (vec3(0.06, 0.02, 0.016) * around * around + vec3(0.08, 0.026, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
+  vec3 walls = (vec3(0.06, 0.02, 0.016) * around * around + vec3(0.065, 0.031, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
 #else
   sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around);
   vec3 walls = (vec3(0.20, 0.055, 0.045) * around * around + vec3(0.08, 0.026, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
