@@ -104,16 +104,18 @@ in vec3 vLight;
 const vec3 FLESH = vec3(0.70, 0.54, 0.46); // of the light on the mouth's walls and teeth, what they send on
 const vec3 SEAM = vec3(0.075, 0.016, 0.013);
 
-/** Light on something wet in the mouth: through the lips, and back from the red walls. */
-vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
+/** How much of the key light comes to a place. */
+float keyAt(vec3 normal) { return max(shaded(vLight.x), 0.0) * shadow(vPoint, normal); }
+
+/** Light on something wet in the mouth: through the lips, so much of the key, and back from the red walls. */
+vec3 lit(vec3 albedo, vec3 normal, float through, float wet, float direct) {
   vec3 view = normalize(viewPoint - vPoint);
-  float direct = shaded(vLight.x) * shadow(vPoint, normal);
   float around = shaded(vLight.y);
   float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);
   vec3 fallen = KEY_LIGHT * key * direct * 0.9;
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
 #ifdef DETAIL
-  sky = (sky + KEY_LIGHT * vec3(0.16, 0.12, 0.10) * around) / (1.0 - FLESH * (1.0 - around)); // what the walls keep in goes to and fro, and has been on flesh
+  sky = (sky + KEY_LIGHT * vec3(0.24, 0.20, 0.165) * around) / (1.0 - FLESH * (1.0 - around)); // what the walls keep in goes to and fro, and has been on flesh
   vec3 walls = (vec3(0.06, 0.02, 0.016) * around * around + vec3(0.065, 0.031, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
 #else
   sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around);
@@ -132,13 +134,12 @@ vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
 }
 
 /** What a film of saliva mirrors of the lamps, as soft boxes, and of what stands before the mouth. */
-vec3 wetness(vec3 film, float wet) {
+vec3 wetness(vec3 film, float wet, float direct) {
   vec3 view = normalize(viewPoint - vPoint);
-  float direct = shaded(vLight.x) * shadow(vPoint, film);
   float around = shaded(vLight.y);
   float key = 1.1 * smoothstep(0.974, 0.993, dot(film, normalize(KEY + view))) + 0.22 * shine(film, view, KEY, 40.0);
   float fill = 0.7 * smoothstep(0.982, 0.996, dot(film, normalize(FILL + view)));
-  return wet * (1.0 - vLight.z) * outOfDark(around) * (KEY_LIGHT * key * max(sqrt(max(direct, 0.0)), 0.35 * around) + FILL_LIGHT * fill * around);
+  return wet * (1.0 - vLight.z) * outOfDark(around) * (KEY_LIGHT * key * max(sqrt(direct), 0.35 * around) + FILL_LIGHT * fill * around);
 }
 
 vec3 facing() { return normalize(gl_FrontFacing ? vNormal : -vNormal); }
@@ -169,9 +170,10 @@ void main() {
 #ifdef DETAIL
   flesh *= 1.0 - 0.75 * smoothstep(0.3, 0.8, abs(vSpot.y)); // beside it teeth and cheeks keep the light off
   vec3 film = normalize(normal + 0.35 * (bumps.r * side + bumps.g * back));
-  vec3 light = lit(flesh, normal, 0.5, 0.16 * (1.0 + bumps.a)) + wetness(film, 0.5 + bumps.b);
+  float direct = keyAt(normal);
+  vec3 light = lit(flesh, normal, 0.5, 0.16 * (1.0 + bumps.a), direct) + wetness(film, 0.5 + bumps.b, direct);
 #else
-  vec3 light = lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a));
+  vec3 light = lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a), keyAt(normal));
 #endif
   colour = premultiplied(light, 1.0);
 }
@@ -249,7 +251,7 @@ void main() {
   pink *= 1.0 + 0.5 * (texture(grain, vec2(vPlace.y * 1.3, height * 0.6)).b - 0.5);
   vec3 albedo = mix(enamel, pink, gum);
   albedo *= mix(0.72, 1.0, smoothstep(0.0, 0.06, abs(height - gumLine) + 0.02)); // where the gum begins
-  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.40, 0.24, gum) * (1.0 - groove)), 1.0);
+  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.40, 0.24, gum) * (1.0 - groove), keyAt(normal)), 1.0);
 #ifdef SOFT
   colour.a = cover;
 #endif

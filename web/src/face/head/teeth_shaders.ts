@@ -99,7 +99,8 @@ void main() {
   albedo *= mix(0.62, 1.0, smoothstep(0.0, 0.09, abs(height))); // where the gum begins
   albedo *= mix(vec3(1.0), mix(vec3(0.36, 0.27, 0.23), vec3(1.0), fur), smoothstep(1.5, 6.0, fromMiddle)); // cheeks lie close to a person's back teeth
   vec3 film = normalize(normal + (1.0 - gum) * (1.2 * (0.60 - height) * rise + 0.25 * round_ * along + 0.10 * (bumps.r * along + bumps.a * rise)));
-  vec3 light = lit(albedo, normal, mix(0.42, 0.35, gum), mix(0.16, 0.24, gum));
-  colour = premultiplied(light + wetness(film, mix(1.0, 0.5, gum)), 1.0);
+  float direct = keyAt(normal);
+  vec3 light = lit(albedo, normal, mix(0.42, 0.35, gum), mix(0.16, 0.24, gum), direct);
+  colour = premultiplied(light + wetness(film, mix(1.0, 0.5, gum), direct), 1.0);
 }
 `;

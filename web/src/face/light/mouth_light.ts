@@ -9,7 +9,7 @@ export const MOUTH_LIGHT_LAW = `
 /** What the mouth's end shows of the key light: all that lies in it dies in this, so none of it ends in an edge. */
 const vec3 MOUTH_DARK = vec3(0.026, 0.0075, 0.0062);
 
-float outOfDark(float sky) { return smoothstep(0.02, 0.36, sky); }
+float outOfDark(float sky) { return smoothstep(0.02, 0.32, sky); }
 
 float skyThrough(vec4 edges, float deep) {
   vec4 sines = edges * inversesqrt(edges * edges + deep * deep + 4e-6);

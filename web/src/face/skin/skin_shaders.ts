@@ -198,7 +198,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, 0.02 + 0.5 * at.albedo, at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
 #ifdef DETAIL
-  seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)); // to and fro between the walls of the mouth
+  seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)) * mix(0.4, 1.0, sunlit); // to and fro between the walls of the mouth
 #endif
   return seen;
 }
@@ -335,7 +335,7 @@ float entering(vec3 here) {
   vec3 right = rowAt(lipRows.x), left = rowAt(lipRows.y), upper = rowAt(lipRows.z), lower = rowAt(lipRows.w);
   float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
   float sky = skyThrough(vec4(upper.y - here.y, here.y - lower.y, here.x - right.x, left.x - here.x), deep);
-  return mix(1.0, sky, smoothstep(0.002, 0.010, behind));
+  return mix(1.0, sky, smoothstep(0.0, 0.005, behind));
 }
 #else
 float entering(vec3 here) { return 1.0; }
