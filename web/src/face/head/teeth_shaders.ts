@@ -88,7 +88,7 @@ void main() {
   float tone = fract(sin(number * 12.9) * 43.7) - 0.5;
   float canine = 1.0 - smoothstep(0.0, 0.6, abs(fromMiddle - 2.0));
   vec3 enamel = mix(vec3(0.74, 0.60, 0.42), vec3(0.86, 0.80, 0.69), smoothstep(-0.05, 0.6, height));
-  enamel = mix(enamel, mix(vec3(0.84, 0.76, 0.60), vec3(0.95, 0.93, 0.88), smoothstep(0.0, 0.4, height)), fur);
+  enamel = mix(enamel, mix(vec3(0.82, 0.72, 0.55), vec3(0.91, 0.87, 0.79), smoothstep(0.0, 0.4, height)), fur);
   enamel *= mix(vec3(1.0), vec3(0.965, 0.93, 0.85), canine * (1.0 - fur));
   float thin = (1.0 - fur) * (1.0 - smoothstep(1.2, 1.8, fromMiddle)) * smoothstep(0.74 + 0.10 * bumps.b - 0.06 * sides, 0.98, height);
   enamel = mix(enamel, vec3(0.50, 0.53, 0.56), 0.55 * thin); // the edge of incisors lets the dark through
