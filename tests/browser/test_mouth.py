@@ -1,4 +1,4 @@
-"""What stands in the openings of a face on stage: teeth and wet flesh between the lips, catchlights between the lids."""
+"""What stands in the openings of a face on stage: teeth and flesh between lips, catchlights between lids."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DARK = 30  # of 255: what nothing is lit in
 
 
 def within(page: Page, line: str, height: int, width: int) -> NDArray[np.bool_]:
-    """The pixels (height, width) within a line of the face as it was drawn last: from there a ray crosses it oddly often."""
+    """The pixels (height, width) within a line of the face as drawn last: from there a ray crosses it oddly often."""
     loop = next(each.loop for each in load_cast().space.lines if each.name == line).tolist()
     points = np.array(page.evaluate("rows => window.omoteStage.places(rows)", loop))[:, :2] * (width, height)
     y, x = np.mgrid[:height, :width] + 0.5
