@@ -1,4 +1,4 @@
-"""The open mouth on stage, seen from aside: teeth and wet flesh between the lips."""
+"""What stands in the openings of a face on stage: teeth and flesh between lips, catchlights between lids."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ YAW = 0.52  # radians: the inner sides of the far teeth show
 DARK = 30  # of 255: what nothing is lit in
 
 
-def between_lips(page: Page, height: int, width: int) -> NDArray[np.bool_]:
-    """The pixels (height, width) within the lips as they were drawn last: from there a ray crosses them oddly often."""
-    loop = next(line.loop for line in load_cast().space.lines if line.name == "lips").tolist()
+def within(page: Page, line: str, height: int, width: int) -> NDArray[np.bool_]:
+    """The pixels (height, width) within a line of the face as drawn last: from there a ray crosses it oddly often."""
+    loop = next(each.loop for each in load_cast().space.lines if each.name == line).tolist()
     points = np.array(page.evaluate("rows => window.omoteStage.places(rows)", loop))[:, :2] * (width, height)
     y, x = np.mgrid[:height, :width] + 0.5
     crossed = np.zeros((height, width), bool)
@@ -32,7 +32,7 @@ def inside(page: Page, face: str) -> NDArray[np.float64]:
     pose = {"faces": {face: 1.0}, "channels": {"jawOpen": 1.0}, "head": [YAW, 0.0, 0.0]}
     page.evaluate("pose => window.omoteStage.hold(pose)", pose)
     pixels = picture(page)[..., :3]
-    return pixels[between_lips(page, *pixels.shape[:2])].astype(float)
+    return pixels[within(page, "lips", *pixels.shape[:2])].astype(float)
 
 
 @pytest.fixture
@@ -51,3 +51,17 @@ def test_an_open_mouth_shows_warm_teeth_and_wet_flesh_around_them(stage: Page, f
     assert grey.mean() < 0.02
     assert teeth.mean() > 0.08
     assert flesh.mean() > 0.6
+
+
+@pytest.mark.parametrize("face", ["child", "dog", "cat"])
+def test_both_eyes_of_a_turned_head_have_a_small_catchlight(open_page: OpenPage, face: str) -> None:
+    page = open_page("/stage?quality=medium", width=500, height=560)
+    wait_until(page, "window.omoteStage?.counters().drawn")
+    draw_on_demand(page)
+    pose = {"faces": {face: 1.0}, "expressions": {"joy": 1.0}, "head": [0.6, 0.0, 0.0]}
+    page.evaluate("pose => window.omoteStage.hold(pose)", pose)
+    pixels = picture(page)[..., :3].astype(float)
+    for lids in ("lid_left", "lid_right"):
+        eye = within(page, lids, *pixels.shape[:2])
+        bright = eye & (pixels.min(axis=-1) > 225)
+        assert 0.01 < bright.sum() / eye.sum() < 0.05

@@ -34,7 +34,7 @@ void main() {
   float across = (at.x - gap.right.x) / max(gap.left.x - gap.right.x, 1e-4) * 2.0 - 1.0;
   vLids = vec3(inside, clamp(across, -1.5, 1.5) * sign(centre.x));
 
-  float covered = smoothstep(0.03, -0.16, min(inside.x, inside.y));
+  float covered = max(smoothstep(0.03, -0.16, min(inside.x, inside.y)), smoothstep(0.12, 0.03, inside.x + inside.y));
   float cap = clamp(1.0 - dot(direction.xy, direction.xy) / min(0.21 * irisSize * irisSize, 0.30), 0.0, 1.0);
   float swell = ${BULGE.toFixed(3)} * cap * step(0.0, direction.z) * (1.0 - covered);
   at = centre + axes * direction * (1.0 + swell - ${RETREAT.toFixed(3)} * covered);
@@ -128,9 +128,9 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   vec3 white = vec3(0.80, 0.745, 0.69);
   white *= mix(vec3(1.0), vec3(0.94, 0.86, 0.72), age) * mix(vec3(1.0), vec3(0.62, 0.50, 0.38), fur); // old eyes yellow, animals' are dark
   float far = smoothstep(0.35, 1.05, abs(corner));
-  white = mix(white, vec3(0.70, 0.42, 0.37), 0.55 * far);
+  white = mix(white, vec3(0.72, 0.50, 0.44), 0.5 * far);
   float red = clamp(blood.w, 0.0, 1.0);
-  white *= 1.0 - red * (0.35 + 0.65 * far) * vec3(0.03, 0.26, 0.28);
+  white *= 1.0 - red * (0.35 + 0.65 * far) * vec3(0.02, 0.18, 0.20);
   white *= 1.0 - vec3(0.02, 0.10, 0.11) * smoothstep(0.45, 0.95, length(local.xy));
 #ifdef DETAIL
   float off = length(local.xy);
@@ -139,12 +139,28 @@ vec3 whiteAt(vec3 local, float corner, out float flesh) {
   float vein = abs(textureLod(grain, vec2(turn + 0.020 * bow, off * 0.045), 1.0).b - 0.5);
   float twig = abs(textureLod(grain, vec2(turn * 2.0 - 0.035 * bow, off * 0.11), 1.0).b - 0.5);
   float vessels = 0.9 * (1.0 - smoothstep(0.0, 0.07, vein)) + 0.5 * (1.0 - smoothstep(0.0, 0.08, twig));
-  white = mix(white, vec3(0.58, 0.17, 0.14), min(vessels, 1.0) * (0.10 + 0.20 * far + 0.25 * age + 0.35 * red) * smoothstep(0.46, 0.85, off));
+  white = mix(white, vec3(0.58, 0.17, 0.14), min(vessels, 1.0) * (0.08 + 0.16 * far + 0.22 * age + 0.28 * red) * smoothstep(0.46, 0.85, off));
 #endif
   white *= 1.0 - 0.35 * fur;
   flesh = smoothstep(-0.86, -0.97, corner);
   return mix(white, vec3(0.55, 0.20, 0.17), flesh);
 }
+
+#ifndef FAST
+/**
+ * The key light's image on the cornea: a soft window. \`half_\`: between key and eye, of the ball. It stands on the iris even
+ * where it would lie over the white, and at the lid's edge where that would cover it: no eye is without one.
+ */
+float catchlight(vec3 local, vec3 half_, float edge, float slim, float blur) {
+  vec2 at = half_.xy * edge / 0.66;
+  at *= min(1.0, 0.52 * edge * inversesqrt(max(dot(at, at), 1e-6)));
+  at.y = clamp(at.y, local.y - 0.6 * vLids.y + 0.4 * vLids.x, local.y + 0.6 * vLids.x - 0.4 * vLids.y);
+  vec2 size = vec2(0.155, 0.195) * (1.0 - 0.4 * slim) / max(irisSize, 1.0); // in radii of the iris
+  vec2 off = max(abs(local.xy - at) / edge - 0.3 * size, 0.0) / (0.7 * size);
+  float soft = 0.45 + blur / size.x;
+  return (1.0 - smoothstep(1.0 - soft, 1.0 + soft, length(off))) * smoothstep(0.0, 0.3, half_.z) * step(0.0, local.z);
+}
+#endif
 
 void main() {
   vec3 local = normalize(vLocal);
@@ -173,8 +189,8 @@ void main() {
   vec4 inner = irisAt(place, blur);
 
   // How far the light is kept off: by the lids' edges above all, the upper one with its lashes.
-#ifdef DETAIL
   float gap = vLids.x + vLids.y;
+#ifdef DETAIL
   float slim = 1.0 - smoothstep(0.20, 0.75, gap * inversesqrt(max(1.0 - vLids.z * vLids.z, 0.1))); // lids near each other are thin: light comes in between them and through them
 #else
   const float slim = 0.0;
@@ -218,22 +234,15 @@ void main() {
   light += KEY_LIGHT * 2.2 * shine(film, view, KEY, 300.0) * lidded;
 #else
   float soft = 0.05 + length(fwidth(mirrored));
-#ifdef DETAIL
-  // Where the upper lid would cover the key light's image it stands at the lid's edge: no eye is without one.
-  float mirrorAt = dot(normalize(KEY + view), up);
-  float edgeAt = (dot(surface, up) + vLids.x - 0.4 * gap) * 0.66 / edge;
-  vec3 image = reflect(-view, normalize(film + max(mirrorAt - edgeAt, 0.0) * up));
-#else
-  vec3 image = mirrored;
-#endif
-  light += KEY_LIGHT * (3.2 * softbox(image, KEY, vec2(0.15, 0.20) * (1.0 - 0.4 * slim), soft) + 0.06 * shine(surface, view, KEY, 40.0)) * lidded;
-  light += FILL_LIGHT * 0.45 * softbox(mirrored, FILL, vec2(0.09, 0.12), soft + 0.05) * lidded;
+  light += KEY_LIGHT * (2.9 * catchlight(local, normalize(KEY + view) * eyeTurn, edge, slim, blur) + 0.05 * shine(surface, view, KEY, 40.0)) * lidded;
+  light += FILL_LIGHT * 0.45 * softbox(mirrored, FILL, vec2(0.09, 0.12), soft + 0.05) * lidded * mix(0.2, 1.0, cap);
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));
   light += room * min(fresnel, 0.35) * 1.6 * skyOpen * smoothstep(-0.05, 0.22, vLids.x);
   light += (KEY_LIGHT * 0.20 * keyOpen + around * 0.5) * climb * smoothstep(0.0, 0.012, vLids.y) * (0.28 + 0.5 * tears) * (1.0 - flesh);
 #endif
   light *= mix(0.45, 1.0, smoothstep(-0.005, 0.022, min(vLids.x, vLids.y + 0.004))); // the crease where ball and lid meet
+  light = mix(vec3(0.020, 0.008, 0.006) * KEY_LIGHT, light, smoothstep(0.03, 0.13, gap)); // lids that are shut: the dark of their lashes
   colour = premultiplied(light, 1.0);
 }
 `;

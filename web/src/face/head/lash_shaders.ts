@@ -49,17 +49,17 @@ void main() {
   if (!above) kept *= smoothstep(0.02, 0.25, open); // a closed upper lid lies over them
   float reach = bend.z * size * kept * (0.55 + 0.45 * lashes) * (above ? mix(0.8, 1.0, open) : 1.0);
   float t = strand.y;
-  float fan = (strand.x - 0.5) * (above ? 1.3 : 1.0) + 0.5 * (strand.w - 0.5);
+  float fan = (strand.x - 0.5) * (above ? 0.95 : 0.8) + 0.4 * (strand.w - 0.5);
   float lift = above ? mix(-0.32, 0.85, open) : 0.55;
-  vec3 at = root + reach * (out_ * (t * 0.95 - 0.35 * t * t) + up * (lift * t * t + (above ? -0.2 : 0.15) * t) + tangent * fan * t * (0.4 + 0.6 * t));
-  at += tangent * (bend.y - strand.x) * 0.026 * size * t * t;
+  vec3 at = root + reach * (out_ * (t * 0.95 - 0.35 * t * t) + up * (lift * t * t * (0.6 + 0.5 * t) + (above ? -0.22 : 0.12) * t) + tangent * fan * t * (0.4 + 0.6 * t));
+  at += tangent * (bend.y - strand.x) * 0.034 * size * t * t;
   at += up * 0.0004 * size * (strand.w - 0.5);
 
   vec3 point = turned(at, 1.0);
   vec3 ahead = headTurn * normalize(out_ * (0.85 - 0.3 * t) + up * 2.0 * lift * t + tangent * fan);
   vec3 view = viewPoint - point;
   vec3 beside = normalize(cross(ahead, view));
-  float wide = 0.00011 * size * (above ? 1.0 : 0.72) * (1.0 - t) * (1.0 + 0.5 * t) + 0.000006;
+  float wide = 0.00011 * size * (above ? 1.0 : 0.72) * (1.0 - t) * (1.0 - 0.25 * t) + 0.000004;
   float least = 0.62 * pixel * length(view);
   vAcross = vec2(strand.z, min(wide / least, 1.0) * kept);
   vAlong = t;

@@ -14,8 +14,8 @@ interface Growth {
   length: number;
 }
 
-const UPPER: Growth = { count: 84, clump: 4, length: 0.0078 };
-const LOWER: Growth = { count: 44, clump: 3, length: 0.0042 };
+const UPPER: Growth = { count: 88, clump: 4, length: 0.0068 };
+const LOWER: Growth = { count: 40, clump: 3, length: 0.003 };
 /** Places along a lash, near and far from what the machine can do. */
 const [FINE, COARSE] = [5, 3];
 

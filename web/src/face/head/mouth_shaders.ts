@@ -1,6 +1,7 @@
 /** Shaders of teeth and tongue, lit through the lips. */
 
 import { EDGE_POINTS } from "../anatomy/openings";
+import { MOUTH_LIGHT_LAW } from "../light/mouth_light";
 import { FRAGMENT_HEAD, VERTEX_HEAD } from "../light/shader_prelude";
 import { SURFACE } from "../skin/skin_shaders";
 import { OPENING } from "./opening_shaders";
@@ -9,8 +10,9 @@ import { OPENING } from "./opening_shaders";
  * What comes in to a place in the mouth: the key light comes straight through the lips' opening, or not at all; the rest by
  * how large the opening looks from there.
  */
-export const MOUTH_LIGHT = `${VERTEX_HEAD}${OPENING}
+export const MOUTH_LIGHT = `${VERTEX_HEAD}${OPENING}${MOUTH_LIGHT_LAW}
 uniform vec3 KEY;
+uniform float fur;
 out vec3 vPoint;
 out vec3 vNormal;
 out vec3 vLight; // of the key, of what comes from everywhere, and how far the lips are shut
@@ -18,7 +20,8 @@ out vec3 vLight; // of the key, of what comes from everywhere, and how far the l
 vec3 lightAt(vec3 here) {
   float middle = 0.5 * (rowAt(upperRows[0]).x + rowAt(upperRows[${EDGE_POINTS - 1}]).x);
   float half_ = 0.5 * abs(rowAt(upperRows[${EDGE_POINTS - 1}]).x - rowAt(upperRows[0]).x);
-  Gap ahead = gapAt(middle + clamp(0.7 * (here.x - middle), -0.7 * half_, 0.7 * half_)); // cheeks are seen through it too
+  float front = mix(0.7, 1.0, fur); // cheeks are seen through a person's mouth from ahead, a muzzle's through its sides
+  Gap ahead = gapAt(middle + front * clamp(here.x - middle, -half_, half_));
   float behind = mix(ahead.lower.z, ahead.upper.z, 0.5) - here.z;
   float deep = max(behind, 0.0);
   vec3 key = KEY * headTurn;
@@ -26,11 +29,8 @@ vec3 lightAt(vec3 here) {
   vec2 inside = insideOf(gapAt(to.x), to);
   float soft = 0.0012 + 0.22 * deep;
   float direct = smoothstep(-soft, soft, min(inside.x, inside.y)) * smoothstep(0.0, 0.3, key.z);
-  float high = max(ahead.upper.y - ahead.lower.y, 0.0);
-  float area = 1.2 * high * (ahead.left.x - ahead.right.x);
-  vec2 own = vec2(ahead.upper.y - here.y, here.y - ahead.lower.y);
-  float sky = area / (area + 6.0 * deep * deep + 2e-5) * smoothstep(-0.006 - 0.8 * deep, 0.002, min(own.x, own.y));
-  float parted = smoothstep(0.0, 0.004, high);
+  float sky = skyThrough(vec4(ahead.upper.y - here.y, here.y - ahead.lower.y, here.x - ahead.right.x, ahead.left.x - here.x), deep);
+  float parted = smoothstep(0.0, 0.004, ahead.upper.y - ahead.lower.y);
   float within = smoothstep(-0.003, 0.002, behind); // a tongue that is out is in the light
   return vec3(mix(vec2(1.0), vec2(direct, sky) * parted, within), (1.0 - parted) * within);
 }
@@ -94,32 +94,52 @@ void main() {
 `;
 
 /** Light on what is wet in the mouth, for its fragments. */
-export const MOUTH_HEAD = `${FRAGMENT_HEAD}
+export const MOUTH_HEAD = `${FRAGMENT_HEAD}${MOUTH_LIGHT_LAW}
 uniform mat3 headTurn;
 uniform sampler2D grain;
 in vec3 vPoint;
 in vec3 vNormal;
 in vec3 vLight;
 
+const vec3 FLESH = vec3(0.70, 0.54, 0.46); // of the light on the mouth's walls and teeth, what they send on
 const vec3 SEAM = vec3(0.075, 0.016, 0.013);
 
-/** Light on something wet in the mouth: through the lips, and back from the red walls. */
-vec3 lit(vec3 albedo, vec3 normal, float through, float wet) {
+/** How much of the key light comes to a place. */
+float keyAt(vec3 normal) { return max(shaded(vLight.x), 0.0) * shadow(vPoint, normal); }
+
+/** Light on something wet in the mouth: through the lips, so much of the key, and back from the red walls. */
+vec3 lit(vec3 albedo, vec3 normal, float through, float wet, float direct) {
   vec3 view = normalize(viewPoint - vPoint);
-  float direct = shaded(vLight.x) * shadow(vPoint, normal);
   float around = shaded(vLight.y);
   float key = clamp((dot(normal, KEY) + through) / (1.0 + through), 0.0, 1.0);
   vec3 fallen = KEY_LIGHT * key * direct * 0.9;
   vec3 sky = (FILL_LIGHT * clamp(dot(normal, FILL) * 0.5 + 0.5, 0.0, 1.0) + ambient(normal) + KEY_LIGHT * 0.30) * around;
-  sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around); // deep inside, all of it has been on flesh before
+#ifdef DETAIL
+  sky = (sky + KEY_LIGHT * vec3(0.24, 0.20, 0.165) * around) / (1.0 - FLESH * (1.0 - around)); // what the walls keep in goes to and fro, and has been on flesh
+  vec3 walls = (vec3(0.06, 0.02, 0.016) * around * around + vec3(0.065, 0.031, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
+#else
+  sky *= mix(vec3(1.0, 0.84, 0.66), vec3(1.0), around);
   vec3 walls = (vec3(0.20, 0.055, 0.045) * around * around + vec3(0.08, 0.026, 0.020) * (1.0 - vLight.z)) * KEY_LIGHT;
+#endif
   vec3 shut = SEAM * (KEY_LIGHT + FILL_LIGHT) * vLight.z; // between closed lips: their own wet dark red, not a black slit
   vec3 light = albedo * (fallen + sky + walls);
   float gleam = shine(normal, view, KEY, 60.0) + 0.35 * shine(normal, view, KEY, 14.0);
   light += wet * (KEY_LIGHT * gleam * direct + FILL_LIGHT * shine(normal, view, FILL, 30.0) * around);
   float grazing = 1.0 - max(dot(normal, view), 0.0);
   light += wet * (0.10 + 0.9 * grazing * grazing * grazing) * (ambient(reflect(-view, normal)) + 0.25 * KEY_LIGHT) * around; // saliva mirrors all that is before it
+#ifdef DETAIL
+  light = mix(MOUTH_DARK * KEY_LIGHT, light, outOfDark(around));
+#endif
   return mix(light, shut, vLight.z);
+}
+
+/** What a film of saliva mirrors of the lamps, as soft boxes, and of what stands before the mouth. */
+vec3 wetness(vec3 film, float wet, float direct) {
+  vec3 view = normalize(viewPoint - vPoint);
+  float around = shaded(vLight.y);
+  float key = 1.1 * smoothstep(0.974, 0.993, dot(film, normalize(KEY + view))) + 0.22 * shine(film, view, KEY, 40.0);
+  float fill = 0.7 * smoothstep(0.982, 0.996, dot(film, normalize(FILL + view)));
+  return wet * (1.0 - vLight.z) * outOfDark(around) * (KEY_LIGHT * key * max(sqrt(direct), 0.35 * around) + FILL_LIGHT * fill * around);
 }
 
 vec3 facing() { return normalize(gl_FrontFacing ? vNormal : -vNormal); }
@@ -147,7 +167,15 @@ void main() {
   normal = normalize(normal + side * (0.5 * furrow * sign(-vSpot.y) * smoothstep(0.0, 0.06, abs(vSpot.y)) + 0.30 * bumps.r) + back * 0.30 * bumps.g);
   vec3 flesh = mix(vec3(0.54, 0.17, 0.155), vec3(0.62, 0.28, 0.255), clamp(0.35 + bumps.b + 0.6 * patch_.g, 0.0, 1.0));
   flesh *= (1.0 - 0.38 * furrow) * (1.0 - 0.65 * smoothstep(0.1, 1.1, vSpot.x));
-  colour = premultiplied(lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a)), 1.0);
+#ifdef DETAIL
+  flesh *= 1.0 - 0.75 * smoothstep(0.3, 0.8, abs(vSpot.y)); // beside it teeth and cheeks keep the light off
+  vec3 film = normalize(normal + 0.35 * (bumps.r * side + bumps.g * back));
+  float direct = keyAt(normal);
+  vec3 light = lit(flesh, normal, 0.5, 0.16 * (1.0 + bumps.a), direct) + wetness(film, 0.5 + bumps.b, direct);
+#else
+  vec3 light = lit(flesh, normal, 0.7, 0.24 * (1.0 + bumps.a), keyAt(normal));
+#endif
+  colour = premultiplied(light, 1.0);
 }
 `;
 
@@ -223,7 +251,7 @@ void main() {
   pink *= 1.0 + 0.5 * (texture(grain, vec2(vPlace.y * 1.3, height * 0.6)).b - 0.5);
   vec3 albedo = mix(enamel, pink, gum);
   albedo *= mix(0.72, 1.0, smoothstep(0.0, 0.06, abs(height - gumLine) + 0.02)); // where the gum begins
-  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.40, 0.24, gum) * (1.0 - groove)), 1.0);
+  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.4, gum), mix(0.40, 0.24, gum) * (1.0 - groove), keyAt(normal)), 1.0);
 #ifdef SOFT
   colour.a = cover;
 #endif

@@ -9,7 +9,7 @@ import { COLUMN_ROWS, COLUMNS } from "./teeth_cage";
  */
 export const SHEET_VERTEX = `${MOUTH_LIGHT}
 uniform int cage[${COLUMN_ROWS * COLUMNS}]; // gum, middle, edge, behind of each column
-uniform float fur, milk;
+uniform float milk;
 in vec3 personPlace; // column, up, inward
 in vec3 personFacing;
 in vec3 milkPlace;
@@ -18,6 +18,8 @@ in vec3 carnivorePlace;
 in vec3 carnivoreFacing;
 in vec4 marks; // height, running number of the tooth, share of the other side, height among milk teeth
 out vec2 vMarks;
+out vec3 vAlong; // to the character's left
+out vec3 vRise; // to the gum
 
 /** A place in the cage, and the steps that lead away from it. */
 struct Place { vec3 point; vec3 along; vec3 up; vec3 inward; };
@@ -54,16 +56,20 @@ void main() {
   }
   vPoint = turned(here, 1.0);
   vNormal = turnedNormal(normalize(normal), 1.0);
+  vAlong = turnedNormal(normalize(place.along), 1.0);
+  vRise = turnedNormal(normalize(place.up), 1.0);
   vMarks = vec2(mix(marks.x, marks.w, milk * (1.0 - fur)), marks.y);
   vLight = lightAt(here);
   gl_Position = project(vPoint);
 }
 `;
 
-/** Enamel, gums and mucosa by height; each tooth has its own shade. */
+/** Enamel, gums and mucosa by height; each tooth has its own tone and its own round. */
 export const SHEET_FRAGMENT = `${MOUTH_HEAD}
 uniform float age, fur;
 in vec2 vMarks;
+in vec3 vAlong;
+in vec3 vRise;
 
 void main() {
   float height = vMarks.x;
@@ -72,22 +78,29 @@ void main() {
   float number = floor(vMarks.y);
   float fromMiddle = abs(number - 6.5) - 0.5;
   float gum = 1.0 - smoothstep(-0.02, 0.02, height);
-  vec3 normal = facing();
-
-  float shade = fract(sin(number * 12.9) * 43.7) - 0.5;
-  vec3 enamel = mix(vec3(0.84, 0.73, 0.56), vec3(0.93, 0.88, 0.79), smoothstep(0.0, 0.55, height));
-  enamel = mix(enamel, vec3(0.76, 0.76, 0.75), 0.4 * (1.0 - fur) * smoothstep(0.86, 1.0, height)); // a person's edge lets the dark through
-  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + 0.06 * shade);
-  enamel *= mix(vec3(1.0), vec3(0.62, 0.50, 0.43), smoothstep(0.72, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
-  vec3 pink = mix(vec3(0.62, 0.28, 0.26), vec3(0.50, 0.15, 0.14), smoothstep(0.1, 0.7, -height));
-#ifdef DETAIL
   vec4 bumps = texture(grain, vec2(vMarks.y * 0.9, height * 0.7)) - 0.5;
-  pink *= 1.0 + 0.35 * bumps.b;
-  normal = normalize(normal + gum * 0.18 * headTurn * vec3(bumps.r, bumps.g, 0.0));
-#endif
+  vec3 normal = facing();
+  vec3 along = normalize(vAlong);
+  vec3 rise = normalize(vRise);
+  float round_ = across * (0.30 + 0.45 * sides) * mix(1.0, 1.8, fur);
+  normal = normalize(normal + (1.0 - gum) * round_ * along + gum * 0.18 * (bumps.r * along + bumps.g * rise));
+
+  float tone = fract(sin(number * 12.9) * 43.7) - 0.5;
+  float canine = 1.0 - smoothstep(0.0, 0.6, abs(fromMiddle - 2.0));
+  vec3 enamel = mix(vec3(0.74, 0.60, 0.42), vec3(0.86, 0.80, 0.69), smoothstep(-0.05, 0.6, height));
+  enamel = mix(enamel, mix(vec3(0.82, 0.72, 0.55), vec3(0.91, 0.87, 0.79), smoothstep(0.0, 0.4, height)), fur);
+  enamel *= mix(vec3(1.0), vec3(0.965, 0.93, 0.85), canine * (1.0 - fur));
+  float thin = (1.0 - fur) * (1.0 - smoothstep(1.2, 1.8, fromMiddle)) * smoothstep(0.74 + 0.10 * bumps.b - 0.06 * sides, 0.98, height);
+  enamel = mix(enamel, vec3(0.50, 0.53, 0.56), 0.55 * thin); // the edge of incisors lets the dark through
+  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + vec3(0.10, 0.11, 0.14) * tone);
+  enamel *= mix(vec3(1.0), vec3(0.50, 0.36, 0.29), smoothstep(0.62, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
+  vec3 pink = mix(vec3(0.56, 0.235, 0.22), vec3(0.46, 0.13, 0.12), smoothstep(0.1, 0.7, -height)) * (1.0 + 0.35 * bumps.b);
   vec3 albedo = mix(enamel, pink, gum);
-  albedo *= mix(0.74, 1.0, smoothstep(0.0, 0.07, abs(height))); // where the gum begins
-  albedo *= mix(vec3(1.0), mix(vec3(0.36, 0.27, 0.23), vec3(0.72), fur), smoothstep(1.5, 6.0, fromMiddle)); // cheeks lie close to a person's back teeth
-  colour = premultiplied(lit(albedo, normal, mix(0.75, 0.45, gum), mix(0.40, 0.26, gum)), 1.0);
+  albedo *= mix(0.62, 1.0, smoothstep(0.0, 0.09, abs(height))); // where the gum begins
+  albedo *= mix(vec3(1.0), mix(vec3(0.36, 0.27, 0.23), vec3(1.0), fur), smoothstep(1.5, 6.0, fromMiddle)); // cheeks lie close to a person's back teeth
+  vec3 film = normalize(normal + (1.0 - gum) * (1.2 * (0.60 - height) * rise + 0.25 * round_ * along + 0.10 * (bumps.r * along + bumps.a * rise)));
+  float direct = keyAt(normal);
+  vec3 light = lit(albedo, normal, mix(0.42, 0.35, gum), mix(0.16, 0.24, gum), direct);
+  colour = premultiplied(light + wetness(film, mix(1.0, 0.5, gum), direct), 1.0);
 }
 `;

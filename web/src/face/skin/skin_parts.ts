@@ -19,8 +19,12 @@ interface SkinRows {
   readonly folding: Float32Array;
 }
 
-/** How long edges may be on the lips' line, metres on the generic face; beside it longer by as much as they are away. */
+/**
+ * How long edges may be on the lips' line, metres on the generic face; over the red of the lips longer by a share of what
+ * they are away (an open mouth shows their border as an outline), beyond it by as much.
+ */
 const LONGEST_AT_LIPS = 0.0016;
+const ON_LIPS = { wide: 0.012, growth: 0.3 } as const;
 
 /** Where the lobes of the generic face's ears are, metres: aside, up, ahead. */
 const LOBE = [
@@ -89,14 +93,15 @@ function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonl
  */
 function longestBeside(line: readonly number[], positions: Float32Array, most: number): Longest {
   return (middle) => {
-    let nearest = most - LONGEST_AT_LIPS;
+    let nearest = ON_LIPS.wide + most;
     for (const row of line) {
       let square = 0;
       for (let axis = 0; axis < 3; axis++)
         square += ((positions[3 * row + axis] as number) - (middle[axis] as number)) ** 2;
       nearest = Math.min(nearest, Math.sqrt(square));
     }
-    return LONGEST_AT_LIPS + nearest;
+    const within = Math.min(nearest, ON_LIPS.wide);
+    return Math.min(most, LONGEST_AT_LIPS + ON_LIPS.growth * within + nearest - within);
   };
 }
 

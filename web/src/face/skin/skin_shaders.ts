@@ -1,5 +1,6 @@
 /** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
 
+import { MOUTH_LIGHT_LAW } from "../light/mouth_light";
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
 import { BLOOD, FLUSHED } from "./blood";
 import { FOLDS } from "./fold_shaders";
@@ -38,10 +39,7 @@ vec3 deepened(vec3 albedo, float flesh) {
 const GLOW = "0.42";
 
 /** The share of the key light that the lining of a wide open mouth shows. */
-const WALLS = "0.24";
-
-/** The share of the key light that the lining shows where none comes in straight: it went through cheeks. */
-const DEEP = "0.042, 0.012, 0.010";
+const WALLS = "0.14";
 
 /** How much deeper the lining of the mouth is drawn, metres. */
 const DEEPER = "0.012";
@@ -201,7 +199,7 @@ vec3 lit(Layers layers, Ground at, float open) {
   seen += rim * rims * down * edge * open * open * mix(mix(0.10, 0.03, flesh) + 1.1 * at.albedo, 0.02 + 0.5 * at.albedo, at.hair) * (1.0 + at.fur);
   seen += at.albedo * vec3(1.0, 0.34, 0.18) * RIM_LIGHT * behind * through * open * 0.6;
 #ifdef DETAIL
-  seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)); // to and fro between the walls of the mouth
+  seen += at.lining * at.albedo * (KEY_LIGHT * ${WALLS} + ambient(normal)) * mix(0.4, 1.0, sunlit); // to and fro between the walls of the mouth
 #endif
   return seen;
 }
@@ -332,12 +330,13 @@ vec4 drawnDeeper(vec3 point) {
 }
 
 #ifdef DETAIL
-/** How much light comes through the lips to the lining of the mouth: as to teeth and tongue (mouth_shaders.ts), by one opening. */
+${MOUTH_LIGHT_LAW}
+/** How much light comes through the lips to the lining of the mouth: by one opening for all of it. */
 float entering(vec3 here) {
   vec3 right = rowAt(lipRows.x), left = rowAt(lipRows.y), upper = rowAt(lipRows.z), lower = rowAt(lipRows.w);
-  float area = 1.2 * max(upper.y - lower.y, 0.0) * (left.x - right.x);
   float deep = max(0.5 * (upper.z + lower.z) - here.z, 0.0);
-  return mix(1.0, area / (area + 6.0 * deep * deep + 2e-5), smoothstep(0.002, 0.010, behind));
+  float sky = skyThrough(vec4(upper.y - here.y, here.y - lower.y, here.x - right.x, left.x - here.x), deep);
+  return mix(1.0, sky, smoothstep(0.0, 0.005, behind));
 }
 #else
 float entering(vec3 here) { return 1.0; }
@@ -410,7 +409,7 @@ in vec3 vPoint;
 in vec3 vNormal;
 #ifdef DETAIL
 uniform sampler2D finish;
-#endif
+${MOUTH_LIGHT_LAW}#endif
 ${LAYER_SAMPLING}${FLUSHED}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
 /** How much of the blood at a place shows: in the patches of the skin's own mottling, more where it is thin, less at pores. */
 float capillary(vec4 finished) {
@@ -439,7 +438,7 @@ vec3 seen() {
   at.albedo *= mix(flushed(vTraits.w * capillary(finished)), vec3(1.0), at.hair);
   vec3 light = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
 #ifdef DETAIL
-  light += at.lining * vec3(${DEEP}) * KEY_LIGHT * mix(0.5, 1.0, vTraits.z);
+  light = mix(light, MOUTH_DARK * KEY_LIGHT, at.lining * (1.0 - outOfDark(shaded(vTraits.z))));
 #endif
   return light;
 }
