@@ -157,7 +157,8 @@ def _refuse_strange_looks(cast: Cast) -> None:
             )
         if cast.garments and look.garment not in cast.garments:
             raise ValueError(
-                f"the look of {name!r} has garment {look.garment!r}; this cast has {', '.join(cast.garments)}: choose one"
+                f"the look of {name!r} has garment {look.garment!r}; this cast has {', '.join(cast.garments)}: "
+                "choose one"
             )
 
 

@@ -14,7 +14,7 @@ Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "spring", 
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`, the hair style, the garment, and the traits, plain numbers (`model.cast.Look`)."""
+    """Colours of a face, each `#rrggbb`, hair style, garment, and the traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
@@ -297,8 +297,8 @@ class FigureAsset(msgspec.Struct, frozen=True):
     65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
     head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
     `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
-    are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in the
-    manifest's order (`model.body.garment`).
+    are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
+    the manifest's order (`model.body.garment`).
     """
 
     bones: list[str]

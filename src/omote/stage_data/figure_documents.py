@@ -12,7 +12,14 @@ from omote.model.body.body import Body
 from omote.model.body.figures import Figures
 from omote.model.body.garment import FIELDS, Garment
 from omote.model.body.pose import Pose
-from omote.show.cast_documents import BodyAsset, BodyDocument, FigureAsset, FiguresDocument, GarmentDocument, PoseDocument
+from omote.show.cast_documents import (
+    BodyAsset,
+    BodyDocument,
+    FigureAsset,
+    FiguresDocument,
+    GarmentDocument,
+    PoseDocument,
+)
 from omote.show.wire import le_bytes
 
 

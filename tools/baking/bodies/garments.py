@@ -20,7 +20,7 @@ THICK = 0.003
 HEM_SLACK = 0.05
 """Metres of leg above a hem that are drawn inside a skirt, for who looks up into it."""
 TUCKED = 0.06
-"""Metres below the waist from which on a skirt hides the body: above, both are drawn, and the skirt begins under cloth."""
+"""Metres below the waist from which on a skirt hides the body: above, both are drawn, the skirt under cloth."""
 ARM_BONES = ("clavicle", "shoulder", "upperarm", "lowerarm", "wrist", "metacarpal", "finger")
 HAND_BONES = ("wrist", "metacarpal", "finger")
 LEG_BONES = ("upperleg", "lowerleg", "foot", "toes")
@@ -31,8 +31,9 @@ FOOT_BONES = ("foot", "toes")
 class Places:
     """Where rows of the generic figure lie, (R,) each, metres.
 
-    x, y, z: as they are; wrist: how far before the wrist, along the arm, -1 of rows of no arm's is far away;
-    arm, hand, leg, foot: how much bones of these move a row, 0..1; skirt: whether it is of the skirt.
+    x, y, z: as they are; wrist: how far before the wrist, along the forearm;
+    arm, hand, leg, foot: how much bones of these move a row, 0..1; skirt: whether it is of the skirt;
+    heights: of what, by name.
     """
 
     x: Floats
@@ -47,7 +48,9 @@ class Places:
     heights: Mapping[str, float]
 
 
-def garments(rig: Rig, joints: Floats, generic: Floats, first_of_skirt: int, bones: Ints, weights: Floats) -> list[Garment]:
+def garments(
+    rig: Rig, joints: Floats, generic: Floats, first_of_skirt: int, bones: Ints, weights: Floats
+) -> list[Garment]:
     """All garments, the stage suit first.
 
     rig: of the figure; joints (J, 3), generic (R, 3): of the generic figure, metres; first_of_skirt: its first row;
@@ -87,7 +90,8 @@ def _places(rig: Rig, joints: Floats, generic: Floats, first_of_skirt: int, bone
 
 
 def _garment(name: str, label: str, at: Places, **fields: Floats) -> Garment:
-    """cover, thick, trim, hidden: of the body; skirt_cover, skirt_trim: of the skirt, which is left out without them."""
+    """A garment from its fields; cover, thick, trim, hidden: of the body; skirt_cover, skirt_trim: of the skirt, which
+    is left out without them."""
     nowhere = np.full(len(at.x), -FARTHEST)
     body = {"cover": fields["cover"], "thick": fields["thick"]}
     body |= {what: fields.get(what, nowhere) for what in ("trim", "hidden")}

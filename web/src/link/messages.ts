@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 12;
+export const PROTOCOL_VERSION = 13;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1878,7 +1878,7 @@ export type State = {
   looked_at: CueName | null;
 };
 
-/** Colours of a face, each `#rrggbb`, the hair style, the garment, and the traits, plain numbers (`model.cast.Look`). */
+/** Colours of a face, each `#rrggbb`, hair style, garment, and the traits, plain numbers (`model.cast.Look`). */
 export type Look = {
   skin: string;
   lip: string;
@@ -2122,8 +2122,8 @@ export type HairAsset = {
  * 65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
  * head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
  * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
- * are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in the
- * manifest's order (`model.body.garment`).
+ * are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
+ * the manifest's order (`model.body.garment`).
  */
 export type FigureAsset = {
   bones: string[];

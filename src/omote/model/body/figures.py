@@ -56,11 +56,7 @@ class Figures:
             raise ValueError(
                 f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it"
             )
-        for name, garment in self.garments.items():
-            if len(garment.cover) != len(self.space.bones):
-                raise ValueError(
-                    f"garment {name!r} covers {len(garment.cover)} rows; expected {len(self.space.bones)}"
-                )
+        _refuse_strange_garments(self.garments, len(self.space.bones))
         object.__setattr__(self, "garments", MappingProxyType(KnownNames("garment", self.garments)))
         object.__setattr__(self, "bodies", MappingProxyType(KnownNames("body", self.bodies)))
         object.__setattr__(self, "poses", MappingProxyType(KnownNames("pose", self.poses)))
@@ -68,3 +64,9 @@ class Figures:
     def body_of(self, face: str) -> Body:
         """The body that belongs to a face, by its name."""
         return self.bodies.get(face) or next(iter(self.bodies.values()))
+
+
+def _refuse_strange_garments(garments: Mapping[str, Garment], rows: int) -> None:
+    for name, garment in garments.items():
+        if len(garment.cover) != rows:
+            raise ValueError(f"garment {name!r} covers {len(garment.cover)} rows; expected {rows}")

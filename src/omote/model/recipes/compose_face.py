@@ -81,8 +81,8 @@ def compose_face(
 
 
 def choose_look(look: Look, chosen: Mapping[str, str | float], /) -> Look:
-    """A look with chosen colours, traits, garment and hair style in place of its own; another style comes with its own shade on
-    the scalp where none is chosen.
+    """A look with chosen colours, traits, garment and hair style in place of its own; another style comes with its own
+    shade on the scalp where none is chosen.
 
     chosen: by the names of `Look`, but for a picture. Raises ValueError on names and values that no look has.
     """
@@ -124,8 +124,8 @@ def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
 
     Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
     share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
-    all who wear hair. The garment is whole too, that of the largest share. Pictures of skin mix; what is painted is mixed
-    from those whose paint shows.
+    all who wear hair. The garment is whole too, that of the largest share. Pictures of skin mix; what is painted is
+    mixed from those whose paint shows.
     """
     style = _style(looks)
     painted = _painted_shares(looks)
