@@ -14,7 +14,6 @@ from omote.builtin import load_figures, load_mask, load_meshes
 from omote.interchange.export_face import REST, SKIN, ExportContext, named_compound_meshes
 from omote.interchange.exports.export_formats import bake_face
 from omote.interchange.figures.figure_rig import ExportedFigure, export_figure
-
 from omote.interchange.formats.glb_reader import read_glb
 from omote.interchange.formats.glb_rig import INFLUENCES
 from tests.interchange.figures.figures import SUITED, posed_figure, stage_points

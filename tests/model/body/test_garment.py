@@ -9,6 +9,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 import omote
+from omote.builtin import load_figures
 from omote.geometry import mesh
 from omote.model.body.figures import Figures
 from omote.model.body.garment import FIELDS, SUIT, Garment
@@ -17,8 +18,7 @@ from omote.perform.figures.figure import RestingFigure, pose_figure, resting_fig
 from omote.perform.figures.pose_mix import mix_poses
 
 CAST = omote.load_cast()
-FIGURES = CAST.figures
-assert FIGURES is not None
+FIGURES = load_figures()
 SPACE = FIGURES.space
 SKIRT = SPACE.first_of_skirt
 SKIRTED = [name for name, garment in CAST.garments.items() if (garment.cover[SKIRT:] > 0.0).any()]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from omote.arrays import Mask
 from omote.geometry.ramp import smooth_ramp
 from omote.model.body.garment import Garment
 from omote.model.body.skeleton import SIDES
@@ -44,7 +45,7 @@ class Places:
     hand: Floats
     leg: Floats
     foot: Floats
-    skirt: Floats
+    skirt: Mask
     heights: Mapping[str, float]
 
 
@@ -125,7 +126,8 @@ def _trousers(at: Places) -> Floats:
 
 def _down(at: Places) -> Floats:
     """0 at the crotch, 1 at the ankles."""
-    top, low = at.heights["crotch"], at.heights["ankle"]
+    top = at.heights["crotch"]
+    low = at.heights["ankle"]
     return np.clip((top - at.y) / (top - low), 0.0, 1.0)
 
 

@@ -216,7 +216,8 @@ class ExportedFigure:
     def meshes(self) -> dict[str, BodyMesh]:
         """What there is of `BODY`: the figure below the roll at the neck, without what a skirt hides, and the skirt,
         cut where colours, bare skin and shoes begin."""
-        parts, garment = self._parts, self._garment
+        parts = self._parts
+        garment = self._garment
         whole = _whole_mesh(self.space, self.cast.space.triangles, parts.height)
         below = _cut(whole, parts.height, ROLL)[0]
         shown = _cut(below, garment.hidden, 0.0)[0]
@@ -285,7 +286,7 @@ def _whole_mesh(space: FigureSpace, skin: Triangles, height: Values) -> BodyMesh
     return BodyMesh(blend, uv.astype(np.float32), place.reshape(-1, 3).astype(np.int32))
 
 
-def _cut(part: BodyMesh, values: Values, level: float) -> tuple[BodyMesh, BodyMesh]:
+def _cut(part: BodyMesh, values: Values | Floats, level: float) -> tuple[BodyMesh, BodyMesh]:
     """What of a part lies under a level and over it. values (V + B,): of all rows."""
     cut = cut_mesh(part.triangles, part.blend @ values, level)
     blend = cut.blend @ part.blend
