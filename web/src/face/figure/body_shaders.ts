@@ -46,6 +46,9 @@ void main() {
   vNormal = normalize(normal + 0.7 * rolled * vec3(0.0, 1.0, 0.0));
   vParts = parts;
   gl_Position = project(vPoint);
+#ifdef SKIRT
+  if (vWorn.x < -0.4) gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // far below the hem, or no skirt: no pixel to ask
+#endif
 }
 `;
 
