@@ -17,7 +17,6 @@ from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.preset_expressions import PRESETS, preset_weights
 from omote.interchange.avatar.vrm_licence import Credit, Version
 from omote.interchange.export_face import ExportContext
-from omote.interchange.figures.figure_rig import BODY
 from tests.browser.avatar_page import (
     NEAR,
     PERFECT_SYNC,
@@ -30,6 +29,7 @@ from tests.browser.avatar_page import (
     open_avatar,
     worn,
 )
+from tests.interchange.figures.figures import SUITED
 
 pytestmark = pytest.mark.long
 
@@ -153,18 +153,18 @@ def test_a_figure_hangs_its_arm_by_the_bone_of_the_upper_arm(browser: Browser, t
     context = ExportContext(plain, load_meshes(), load_mask())
     path.write_bytes(vrm_bytes(context, "kaori", [], Credit(("Ann",)), body="heavy", hair=False))
     with open_avatar(browser, path) as page:
-        rest = {mesh: points(page, mesh) for mesh in BODY}
+        rest = {mesh: points(page, mesh) for mesh in SUITED}
         shoulder = np.array(page.evaluate("window.avatar.bone('leftUpperArm')"))
         turn(page, "leftUpperArm", [0.0, 0.0, -math.pi / 2])
-        hung = {mesh: points(page, mesh) for mesh in BODY}
-    left = rest["hands"][:, 0] > 0.0
-    away = (rest["hands"] - shoulder)[left]
+        hung = {mesh: points(page, mesh) for mesh in SUITED}
+    left = rest["bare"][:, 0] > 0.0
+    away = (rest["bare"] - shoulder)[left]
     down = np.column_stack([away[:, 1], -away[:, 0], away[:, 2]])
-    np.testing.assert_allclose(hung["hands"][left] - shoulder, down, atol=1e-4)
-    np.testing.assert_allclose(hung["hands"][~left], rest["hands"][~left], atol=1e-6)
+    np.testing.assert_allclose(hung["bare"][left] - shoulder, down, atol=1e-4)
+    np.testing.assert_allclose(hung["bare"][~left], rest["bare"][~left], atol=1e-6)
     np.testing.assert_allclose(hung["shoes"], rest["shoes"], atol=1e-6)
     assert np.abs(rest["shoes"][:, 1].min()) < 1e-4
-    assert hung["suit"][:, 0].max() < rest["suit"][:, 0].max() - 0.2
+    assert hung["garment"][:, 0].max() < rest["garment"][:, 0].max() - 0.2
 
 
 def points(page: Page, mesh: str) -> Points:

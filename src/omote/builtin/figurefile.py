@@ -3,12 +3,14 @@
 Arrays, V rows of the head, B of the body, J bones:
 
     format                 the number FIGURE_FORMAT
-    about                  JSON text as bytes: bones [name], bodies [name]
+    about                  JSON text as bytes: bones [name], bodies [name], garments [[name, label]]
     parents (J,)           of the bones           triangles (t, 3)         of the body
     head_rows, rim         numbers                edge (e,)                rows of the head
     bones, weights (V + B, 8), shares (V + B,)    weights of 65535, shares of 255
     joined (n,), join (n, e)                      head_joint (h,), head_joint_offset (3,)
     uvs (k, 2), uv_rows (t, 3)
+    skirt (s, 3)           triangles of the skirt
+    garment/NAME           (4, V + B) cover, thick, trim, hidden: in steps of a metre, int16
     body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3): in steps of a metre, int16; size
 """
 
@@ -25,11 +27,12 @@ from numpy.typing import NDArray
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
+from omote.model.body.garment import Garment
 from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import PoseRecipe, pose_of
 from omote.model.body.skeleton import Skeleton
 
-FIGURE_FORMAT = 1
+FIGURE_FORMAT = 2
 STEPS_OF_A_METRE = 15_000
 """Steps of 16 bits in which places are kept: a fifteenth of a millimetre, as far as 2.18 m from the eyes."""
 PLACES = ("positions", "edge", "joints", "ends")
@@ -60,8 +63,11 @@ def figures_of(arrays: Arrays, recipes: Iterable[PoseRecipe]) -> Figures:
         head_joint_offset=arrays["head_joint_offset"],
         uvs=arrays["uvs"],
         uv_rows=arrays["uv_rows"],
+        skirt=arrays["skirt"],
     )
-    return Figures(space, {name: _body(arrays, name) for name in about["bodies"]}, _poses(recipes, space))
+    bodies = {name: _body(arrays, name) for name in about["bodies"]}
+    garments = {name: _garment(arrays, name, label) for name, label in about["garments"]}
+    return Figures(space, bodies, _poses(recipes, space), garments)
 
 
 def read_poses(text: bytes) -> list[PoseRecipe]:
@@ -78,3 +84,7 @@ def _poses(recipes: Iterable[PoseRecipe], space: FigureSpace) -> dict[str, Pose]
 def _body(arrays: Arrays, name: str) -> Body:
     places = {what: (arrays[f"body/{name}/{what}"] / STEPS_OF_A_METRE).astype(np.float32) for what in PLACES}
     return Body(name, **places, size=float(arrays[f"body/{name}/size"]))
+
+
+def _garment(arrays: Arrays, name: str, label: str) -> Garment:
+    return Garment(name, label, *(arrays[f"garment/{name}"] / STEPS_OF_A_METRE).astype(np.float32))

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from omote.model.albedo import Albedo, SkinAtlas
 from omote.model.body.body import Body
 from omote.model.body.figures import Figures
+from omote.model.body.garment import SUIT, Garment
 from omote.model.body.pose import Pose
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC, NEUTRAL, KnownNames
@@ -43,6 +44,9 @@ TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
             "lacquer",
             "scalp",
             "milk",
+            "pinstripes",
+            "checks",
+            "dots",
         ),
         (0.0, 1.0),
     )
@@ -54,12 +58,14 @@ TRAITS: Mapping[str, tuple[float, float]] = MappingProxyType(
 class Look:
     """The colours of a face, "#rrggbb" each, and its traits, which are numbers: all of them mix with the faces.
 
-    hair_style: one of the cast's, or "".
+    hair_style: one of the cast's, or ""; garment: one of its figures'.
     iris_size: the iris' radius over a person's; slit: 0 a round pupil, 1 an upright slit; lashes: how many there are;
     coat: the second colour of a fur (muzzle, throat, blaze).
     Of the skin, 0 to 1: pores; age (lines, spots, thin lips); freckles; stubble; brows (0 none, 1 bushy); makeup of the
     eyes; gloss of the lips; fur instead of bare skin; stripes, from a hound's coat (0) to a tabby's (1); lacquer, the
     painted white of a mask; scalp, the shadow of hair on the skin; milk, a baby's few small teeth.
+    cloth, trim: the first and the second colour of the garment; pinstripes, checks, dots, 0 to 1: how much of each
+    pattern in its second colour lies on its first.
     albedo: the picture of a certain person that stands in place of what is painted, where there is one.
     """
 
@@ -86,6 +92,12 @@ class Look:
     lacquer: float = 0.0
     scalp: float = 1.0
     milk: float = 0.0
+    garment: str = SUIT
+    cloth: str = "#222226"
+    trim: str = "#d6cbb6"
+    pinstripes: float = 0.0
+    checks: float = 0.0
+    dots: float = 0.0
     albedo: Albedo | None = None
 
     def __post_init__(self) -> None:
@@ -93,8 +105,8 @@ class Look:
             if name in TRAITS:
                 object.__setattr__(self, name, _validate_trait(name, value))
                 continue
-            if name in ("hair_style", "albedo"):
-                continue  # the cast knows which styles there are
+            if name in ("hair_style", "garment", "albedo"):
+                continue  # the cast knows which there are
             colour = value
             digits = colour[1:] if isinstance(colour, str) else ""
             if len(digits) != 6 or colour[0] != "#" or not all(digit in "0123456789abcdefABCDEF" for digit in digits):
@@ -142,6 +154,11 @@ def _refuse_strange_looks(cast: Cast) -> None:
             raise ValueError(
                 f"the look of {name!r} has hair style {look.hair_style!r}; this cast has "
                 f'{", ".join(cast.hair) or "none"}: choose one, or "" for no hair'
+            )
+        if cast.garments and look.garment not in cast.garments:
+            raise ValueError(
+                f"the look of {name!r} has garment {look.garment!r}; this cast has {', '.join(cast.garments)}: "
+                "choose one"
             )
 
 
@@ -243,6 +260,17 @@ class Cast:
         1.12
         """
         return {} if self.figures is None else self.figures.bodies
+
+    @property
+    def garments(self) -> Mapping[str, Garment]:
+        """What its figures can wear, by name; none without figures.
+
+        Examples
+        --------
+        >>> cast.garments["suit"].label
+        'Stage suit'
+        """
+        return {} if self.figures is None else self.figures.garments
 
     @property
     def face_labels(self) -> Mapping[str, str]:

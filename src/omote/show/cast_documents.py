@@ -14,7 +14,7 @@ Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "spring", 
 
 
 class Look(msgspec.Struct, frozen=True):
-    """Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`)."""
+    """Colours of a face, each `#rrggbb`, hair style, garment, and the traits, plain numbers (`model.cast.Look`)."""
 
     skin: str
     lip: str
@@ -39,6 +39,12 @@ class Look(msgspec.Struct, frozen=True):
     lacquer: float
     scalp: float
     milk: float
+    garment: str
+    cloth: str
+    trim: str
+    pinstripes: float
+    checks: float
+    dots: float
 
 
 class LineDocument(msgspec.Struct, frozen=True):
@@ -210,12 +216,20 @@ class PoseDocument(msgspec.Struct, frozen=True):
     feet_turns: bytes
 
 
+class GarmentDocument(msgspec.Struct, frozen=True):
+    """A garment that looks may name."""
+
+    name: Name
+    label: str
+
+
 class FiguresDocument(msgspec.Struct, frozen=True):
-    """The bodies and poses of a cast; `url`: where its `FigureAsset` is."""
+    """The bodies, poses and garments of a cast; `url`: where its `FigureAsset` is."""
 
     url: str
     bodies: list[BodyDocument]
     poses: list[PoseDocument]
+    garments: list[GarmentDocument]
 
 
 class Manifest(msgspec.Struct, frozen=True):
@@ -282,7 +296,9 @@ class FigureAsset(msgspec.Struct, frozen=True):
     `bones`: their names, `parents` (bones,) i32 -1 for the first; `row_bones` (V + B, 8) u8, `row_weights` u16 of
     65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
     head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
-    `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32.
+    `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
+    are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
+    the manifest's order (`model.body.garment`).
     """
 
     bones: list[str]
@@ -300,6 +316,8 @@ class FigureAsset(msgspec.Struct, frozen=True):
     head_joint_offset: tuple[float, float, float]
     uvs: bytes
     uv_rows: bytes
+    skirt: bytes
+    garments: bytes
 
 
 class BodyAsset(msgspec.Struct, frozen=True):

@@ -191,9 +191,9 @@ def _look(traits: Mapping[str, Any], albedo: bytes | None) -> Look:
     strange = [name for name in traits if name not in Look.__dataclass_fields__ or name == "albedo"]
     if strange:
         raise ContentError(f"its look has {strange[0]!r}, which this Omote does not know: update Omote")
-    style = traits.get("hair_style", "")
-    if not isinstance(style, str):
-        raise ContentError(f"hair_style of its look is {style!r}; expected a name")
+    for what in ("hair_style", "garment"):
+        if not isinstance(traits.get(what, ""), str):
+            raise ContentError(f"{what} of its look is {traits[what]!r}; expected a name")
     return Look(**traits, albedo=None if albedo is None else _unpack_albedo(albedo))
 
 

@@ -168,6 +168,10 @@ def content_asset(cast: Cast, key: str, face: Face, look: model.Look) -> Content
         raise ValueError(
             f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
         )
+    if cast.garments and look.garment not in cast.garments:
+        raise ValueError(
+            f"the face wears {look.garment!r}, which this cast has not: give it {', '.join(cast.garments)}"
+        )
     document = face_document(cast, face, look, label=key, url=f"/contents/{key}", source=KEY + key)
     return ContentAsset(document, le_bytes(rest_positions(cast, face), "<f4"))
 

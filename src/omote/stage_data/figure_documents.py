@@ -9,10 +9,17 @@ import msgspec
 import numpy as np
 
 from omote.model.body.body import Body
-from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
+from omote.model.body.garment import FIELDS, Garment
 from omote.model.body.pose import Pose
-from omote.show.cast_documents import BodyAsset, BodyDocument, FigureAsset, FiguresDocument, PoseDocument
+from omote.show.cast_documents import (
+    BodyAsset,
+    BodyDocument,
+    FigureAsset,
+    FiguresDocument,
+    GarmentDocument,
+    PoseDocument,
+)
 from omote.show.wire import le_bytes
 
 
@@ -26,7 +33,7 @@ class FigureDocuments:
 
 def figure_documents(figures: Figures) -> FigureDocuments:
     """What pages get of the figures of a cast."""
-    shared = figure_asset(figures.space)
+    shared = figure_asset(figures)
     bodies = {name: body_asset(body) for name, body in figures.bodies.items()}
     urls = {name: _address(asset) for name, asset in bodies.items()}
     listed = [
@@ -34,12 +41,15 @@ def figure_documents(figures: Figures) -> FigureDocuments:
         for name, body in figures.bodies.items()
     ]
     url = _address(shared)
-    document = FiguresDocument(url, listed, [pose_document(pose) for pose in figures.poses.values()])
+    poses = [pose_document(pose) for pose in figures.poses.values()]
+    garments = [GarmentDocument(garment.name, garment.label) for garment in figures.garments.values()]
+    document = FiguresDocument(url, listed, poses, garments)
     return FigureDocuments(document, {url: shared} | {urls[name]: asset for name, asset in bodies.items()})
 
 
-def figure_asset(space: FigureSpace) -> FigureAsset:
-    """What all bodies share."""
+def figure_asset(figures: Figures) -> FigureAsset:
+    """What all bodies share, garments among it."""
+    space = figures.space
     x, y, z = space.head_joint_offset.tolist()
     return FigureAsset(
         bones=[*space.skeleton.names],
@@ -57,7 +67,14 @@ def figure_asset(space: FigureSpace) -> FigureAsset:
         head_joint_offset=(x, y, z),
         uvs=le_bytes(space.uvs, "<f4"),
         uv_rows=le_bytes(space.uv_rows, "<u4"),
+        skirt=le_bytes(space.skirt, "<u4"),
+        garments=b"".join(garment_bytes(garment) for garment in figures.garments.values()),
     )
+
+
+def garment_bytes(garment: Garment) -> bytes:
+    """The fields of one garment."""
+    return le_bytes(np.stack([getattr(garment, field) for field in FIELDS], axis=1), "<f4")
 
 
 def body_asset(body: Body) -> BodyAsset:

@@ -15,10 +15,10 @@ from omote.interchange.avatar.humanoid_skeleton import build_skeleton
 from omote.interchange.avatar.preset_expressions import PRESETS
 from omote.interchange.avatar.vrm_licence import TERMS, Credit, parse_terms
 from omote.interchange.export_face import REST, ExportContext, named_compound_meshes
-from omote.interchange.figures.figure_rig import BODY
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.space.face_fit import fit
 from tests import synthetic
+from tests.interchange.figures.figures import SUITED
 from tests.interchange.figures.skinned_files import SkinnedFile
 from tests.interchange.formats.scenes import taken_apart
 from tests.stage_data.heads import context, synthetic_cast
@@ -156,11 +156,11 @@ def test_a_figure_is_a_true_humanoid_on_its_soles_in_both_versions(tmp_path: Pat
             np.testing.assert_allclose(way / np.linalg.norm(way), [out, 0.0, 0.0], atol=0.03)
     assert file.points("shoes")[:, 1].min() == pytest.approx(0.0, abs=2e-5)
     seen = {file.nodes[each["node"]]["name"]: each["type"] for each in vrm["firstPerson"]["meshAnnotations"]}
-    assert {name for name, kind in seen.items() if kind == "both"} == set(BODY)
+    assert {name for name, kind in seen.items() if kind == "both"} == set(SUITED)
     springs = file.document["extensions"]["VRMC_springBone"]["springs"]
     assert [file.nodes[spring["joints"][0]["node"]]["name"] for spring in springs] == ["leftEar", "rightEar"]
     old = SkinnedFile.of(vrm_bytes(few, "dog", [], Credit(("Ann",), version="0.x"), body="heavy", hair=False))
-    for mesh in ("skin", "eye_left", *BODY):
+    for mesh in ("skin", "eye_left", *SUITED):
         np.testing.assert_allclose(old.points(mesh), file.points(mesh) * TURNED, atol=1e-6)
     named = {bone["bone"]: bone["node"] for bone in old.document["extensions"]["VRM"]["humanoid"]["humanBones"]}
     assert named["leftThumbProximal"] == bones["leftThumbMetacarpal"]

@@ -12,10 +12,10 @@ import omote
 from omote.builtin import load_mask, load_meshes
 from omote.interchange.export_face import ExportContext
 from omote.interchange.exports.export_formats import bake_face
-from omote.interchange.figures.figure_rig import BODY, export_figure
 from omote.interchange.figures.figure_rig import ExportedFigure as Figure
+from omote.interchange.figures.figure_rig import export_figure
 from omote.model.body.figure_space import BONES_OF_A_ROW
-from tests.interchange.figures.figures import posed_figure, stage_points
+from tests.interchange.figures.figures import SUITED, posed_figure, stage_points
 
 CAST = omote.load_cast()
 NEAR = 2e-5
@@ -70,7 +70,7 @@ def test_points_are_where_a_stage_has_them_at_rest_and_near_in_poses(
 ) -> None:
     points = skinned(path, pose)
     bones = figure.rest if pose is None else posed_figure(figure, pose)
-    away = [np.linalg.norm(points[mesh] - stage_points(figure, mesh, bones), axis=1) for mesh in BODY]
+    away = [np.linalg.norm(points[mesh] - stage_points(figure, mesh, bones), axis=1) for mesh in SUITED]
     far = np.concatenate(away)
     if pose is None:
         assert far.max() < NEAR

@@ -6,10 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from omote.interchange.figures.figure_rig import ExportedFigure
+from omote.interchange.figures.figure_rig import BARE, GARMENT, SHOES, ExportedFigure
 from omote.model.body.posed_bones import PosedBones
 from omote.perform.figures.figure import pose_figure
 from omote.perform.figures.pose_mix import mix_poses
+
+SUITED = (GARMENT, BARE, SHOES)
+"""The meshes of a body in the stage suit, which has one colour."""
 
 
 def posed_figure(figure: ExportedFigure, pose: str) -> PosedBones:
@@ -18,5 +21,5 @@ def posed_figure(figure: ExportedFigure, pose: str) -> PosedBones:
 
 
 def stage_points(figure: ExportedFigure, mesh: str, bones: PosedBones) -> np.ndarray:
-    """The vertices of suit, hands or shoes (n, 3) in the scene."""
+    """The vertices of a mesh of the body (n, 3) in the scene."""
     return replace(figure, rest=bones).worn(mesh)[0] + figure.shift

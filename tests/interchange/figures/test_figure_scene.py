@@ -13,11 +13,10 @@ import omote
 from omote.builtin import load_figures, load_mask, load_meshes
 from omote.interchange.export_face import REST, SKIN, ExportContext, named_compound_meshes
 from omote.interchange.exports.export_formats import bake_face
-from omote.interchange.figures.figure_rig import BODY, ExportedFigure, export_figure
-from omote.interchange.figures.suit import THICK
+from omote.interchange.figures.figure_rig import ExportedFigure, export_figure
 from omote.interchange.formats.glb_reader import read_glb
 from omote.interchange.formats.glb_rig import INFLUENCES
-from tests.interchange.figures.figures import posed_figure, stage_points
+from tests.interchange.figures.figures import SUITED, posed_figure, stage_points
 from tests.interchange.figures.skinned_files import SkinnedFile
 from tools.gltf import inspect
 
@@ -46,7 +45,7 @@ def test_at_rest_every_vertex_is_where_a_stage_has_it_and_soles_are_on_the_floor
     for face, body in (("kaori", "heavy"), ("dog", "own")):
         file = SkinnedFile.of(written(face, body))
         figure = exported(face, body)
-        for mesh in BODY:
+        for mesh in SUITED:
             np.testing.assert_allclose(file.points(mesh), stage_points(figure, mesh, figure.rest), atol=NEAR)
         assert file.points("shoes")[:, 1].min() == pytest.approx(0.0, abs=NEAR)
         worn = named_compound_meshes(CAST, face, "neutral")
@@ -77,7 +76,7 @@ def test_bones_are_ours_in_every_pose_and_the_skin_as_near_as_linear_blending_co
         turned = (file.points("eye_left") - figure.rest.joints[head] - figure.shift) @ posed.turns[head].T
         aim = turned + posed.joints[head] + figure.shift
         np.testing.assert_allclose(file.points("eye_left", pose), aim, atol=NEAR)
-        off += [np.linalg.norm(file.points(mesh, pose) - stage_points(figure, mesh, posed), axis=1) for mesh in BODY]
+        off += [np.linalg.norm(file.points(mesh, pose) - stage_points(figure, mesh, posed), axis=1) for mesh in SUITED]
     far = np.concatenate(off)
     assert far.mean() < 0.001
     assert np.percentile(far, 99) < 0.01
@@ -89,14 +88,16 @@ def test_where_a_stage_blends_linearly_by_few_bones_the_file_does_exactly_that()
     file = SkinnedFile.of(written("kaori", "heavy"))
     space = figure.space
     linear = (space.shares == 0.0) & (space.weights[:, INFLUENCES] == 0.0)
-    blend = figure.meshes["suit"].blend
+    blend = figure.meshes["garment"].blend
     plain = blend @ linear.astype(np.float64) > 1.0 - 1e-9
     assert plain.sum() > 50
     away = np.linalg.norm(
-        file.points("suit", "cheer") - stage_points(figure, "suit", posed_figure(figure, "cheer")), axis=1
+        file.points("garment", "cheer") - stage_points(figure, "garment", posed_figure(figure, "cheer")), axis=1
     )
     assert np.median(away[plain]) < 3e-4
-    assert away[plain].max() < 2.0 * THICK  # cloth lies along normals, which turn with the bones here
+    assert (
+        away[plain].max() < 2.0 * FIGURES.garments["suit"].thick.max()
+    )  # cloth lies along normals, which turn with the bones here
 
 
 def test_khronos_says_nothing_against_it(tmp_path: Path) -> None:
@@ -105,7 +106,7 @@ def test_khronos_says_nothing_against_it(tmp_path: Path) -> None:
     (found,) = inspect([path])
     assert (found["validator"]["errors"], found["validator"]["warnings"]) == (0, 0)
     assert {said["code"] for said in found["validator"]["said"]} <= {"UNUSED_OBJECT"}  # places for a picture of cloth
-    assert set(BODY) <= found["three"]["meshes"].keys()
+    assert set(SUITED) <= found["three"]["meshes"].keys()
 
 
 def test_what_has_no_skeleton_and_bodies_that_are_not_there_are_refused() -> None:

@@ -36,7 +36,7 @@ def test_head_and_body_are_one_closed_mesh() -> None:
     edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()  # no rim is left
     assert set(SPACE.rim_rows) == set(SPACE.triangles[SPACE.triangles < SPACE.head_rows])
-    assert len(np.unique(mesh.components(triangles, SPACE.head_rows + SPACE.body_rows))) == 1
+    assert len(np.unique(mesh.components(triangles, SPACE.first_of_skirt))) == 1
 
 
 @given(weights, weights, st.floats(0.0, 1.0))

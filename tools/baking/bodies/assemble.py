@@ -6,15 +6,19 @@ import json
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.builtin.figurefile import FIGURE_FORMAT, STEPS_OF_A_METRE
 from omote.geometry.ramp import smooth_ramp
+from omote.model.body.garment import FIELDS
 from omote.model.body.skeleton import SIDES
 from tools.baking.assemble import Arrays
 from tools.baking.bodies.builds import FIGURES
 from tools.baking.bodies.figure_cut import FigureCut, cut_figure, figure_points
+from tools.baking.bodies.garments import garments
 from tools.baking.bodies.neck_join import find_join
 from tools.baking.bodies.rig import Rig, read_rig, row_weights
+from tools.baking.bodies.skirt import stand_off
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head
 from tools.baking.heads.person import person_points
@@ -40,7 +44,13 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
     bones, weights = row_weights(rig, cut)
     joint = head.metres(rig.joints(base.points))[rig.skeleton.places["head"]]
     band = np.flatnonzero(np.abs(generic[: cut.head_rows, 1] - joint[1]) < HEAD_JOINT_BAND)
-    names = json.dumps({"bones": rig.skeleton.names, "bodies": [*FIGURES]})
+    first_of_skirt = int(cut.skirt.min())
+    joints = head.metres(rig.joints(base.points))
+    worn = garments(rig, joints, generic, first_of_skirt, bones, weights)
+    listed = [[garment.name, garment.label] for garment in worn]
+    names = json.dumps({"bones": rig.skeleton.names, "bodies": [*FIGURES], "garments": listed})
+    shares = dual_shares(rig, generic, head.metres(base.points))
+    shares[first_of_skirt:] = 0.0  # cloth between two legs has no limb of its own that could keep it round
     arrays: Arrays = {
         "format": np.array(FIGURE_FORMAT),
         "about": np.frombuffer(names.encode(), np.uint8),
@@ -51,16 +61,17 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
         "rim": np.array(cut.rim),
         "bones": bones.astype(np.uint8),
         "weights": np.rint(weights * np.iinfo(np.uint16).max).astype(np.uint16),
-        "shares": np.rint(dual_shares(rig, generic, head.metres(base.points)) * np.iinfo(np.uint8).max).astype(
-            np.uint8
-        ),
+        "shares": np.rint(shares * np.iinfo(np.uint8).max).astype(np.uint8),
         "joined": joined,
         "join": join.astype(np.float32),
         "head_joint": band.astype(np.int32),
         "head_joint_offset": joint - generic[band].mean(axis=0),
         "uvs": cut.uvs,
         "uv_rows": cut.uv_rows,
+        "skirt": cut.skirt,
     }
+    for garment in worn:
+        arrays[f"garment/{garment.name}"] = in_steps(np.stack([getattr(garment, field) for field in FIELDS]))
     for name in FIGURES:
         arrays |= body_arrays(name, package, base, head, cut, rig)
         step(name)
@@ -87,13 +98,19 @@ def body_arrays(name: str, package: Package, base: BaseMesh, head: Head, cut: Fi
     person = FIGURES[name].as_person(name)
     points = person_points(person, package, base, head)
     rows = figure_points(cut, head, points)
+    rows[cut.skirt.min() :] = stand_off(rows, cut)
     found = {
         "positions": rows[cut.head_rows :],
         "edge": rows[cut.edge],
         "joints": head.metres(rig.joints(points)),
         "ends": head.metres(rig.ends(points)),
     }
-    packed = {what: np.rint(values * STEPS_OF_A_METRE).astype(np.int16) for what, values in found.items()}
+    packed = {what: in_steps(values) for what, values in found.items()}
     return {f"body/{name}/{what}": values for what, values in packed.items()} | {
         f"body/{name}/size": np.array(person.size)
     }
+
+
+def in_steps(values: Floats) -> NDArray[np.int16]:
+    """Metres as they are kept."""
+    return np.rint(values * STEPS_OF_A_METRE).astype(np.int16)

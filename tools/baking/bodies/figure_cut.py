@@ -11,13 +11,15 @@ from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, Quads
 from tools.baking.heads.head import Head, split_quads
 
 GROUP = "body"
+SKIRT = "helper-skirt"
 
 
 @dataclass(frozen=True)
 class FigureCut:
-    """vertices: (V + B,) rows of the base mesh, those of the head's skin first;  head_rows: V;
+    """vertices: (V + B,) rows of the base mesh, those of the head's skin first, the skirt's last;  head_rows: V;
     triangles: (t, 3) of the body, rows of `vertices`;  all_triangles: with the head's, without parts;
-    uvs: (k, 2) (0, 0) the upper left corner;  uv_rows: (t, 3);  edge: rows of the head, the rim first;  rim: how many
+    uvs: (k, 2) (0, 0) the upper left corner;  uv_rows: (t, 3);  edge: rows of the head, the rim first;  rim: how many;
+    skirt: (s, 3) triangles of the skirt
     """
 
     vertices: Ints
@@ -28,6 +30,7 @@ class FigureCut:
     uv_rows: Ints
     edge: Ints
     rim: int
+    skirt: Ints
 
 
 def cut_figure(base: BaseMesh, head: Head) -> FigureCut:
@@ -36,7 +39,8 @@ def cut_figure(base: BaseMesh, head: Head) -> FigureCut:
     kept = ~np.isin(quads.corners, head.skin.vertices).all(axis=1)
     corners, uv_corners = split_quads(base.points, Quads(quads.corners[kept], quads.uv_corners[kept]))
     below = np.setdiff1d(corners, head.skin.vertices)
-    vertices = np.concatenate([head.skin.vertices, below]).astype(np.int32)
+    skirt, _ = split_quads(base.points, base.groups[SKIRT])
+    vertices = np.concatenate([head.skin.vertices, below, np.unique(skirt)]).astype(np.int32)
     row_of = np.full(len(base.points), -1, np.int32)
     row_of[vertices] = np.arange(len(vertices))
     triangles = row_of[corners]
@@ -52,6 +56,7 @@ def cut_figure(base: BaseMesh, head: Head) -> FigureCut:
         uv_rows=uv_triangles.reshape(-1, 3).astype(np.int32),
         edge=np.concatenate([rim, _ring(head.skin.triangles, rim)]).astype(np.int32),
         rim=len(rim),
+        skirt=row_of[skirt],
     )
 
 

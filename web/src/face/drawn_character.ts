@@ -20,6 +20,7 @@ import {
 } from "./figure/figure_framing";
 import type { FigureJob, FigurePass } from "./figure/figure_pass";
 import { CONTACTS } from "./figure/floor";
+import { GarmentMix } from "./figure/garments";
 import type { SharedFigures } from "./figure/shared_figures";
 import { type Point, type Shot, shotOfHead, turnedAbout } from "./framing";
 import { Hair } from "./hair/hair";
@@ -93,6 +94,7 @@ export class DrawnCharacter {
   private readonly sourceCrossfade: SourceCrossfade;
   private readonly bounds = new THREE.Box3();
   private figure: Figure | undefined;
+  private clothes: GarmentMix | undefined;
   private ground = UNMOVED;
   private readonly jobs: FigureJob[] = [];
   private uniforms!: CharacterUniforms;
@@ -173,6 +175,8 @@ export class DrawnCharacter {
     const { shared } = this.uniforms;
     this.figure = figure;
     const { positions, normals } = figure.build(pass);
+    this.clothes?.dispose();
+    this.clothes = new GarmentMix(pass.space);
     shared.figurePositions.value = new THREE.ExternalTexture(positions);
     shared.figureNormals.value = new THREE.ExternalTexture(normals);
   }
@@ -182,6 +186,8 @@ export class DrawnCharacter {
     const { shared } = this.uniforms;
     this.figure?.dispose();
     this.figure = undefined;
+    this.clothes?.dispose();
+    this.clothes = undefined;
     shared.pivot.value.copy(PIVOT);
     shared.headPlace.value.copy(PIVOT);
     shared.shadowCentre.value.copy(SHADOW_CENTRE);
@@ -333,6 +339,7 @@ export class DrawnCharacter {
     const { pose, parts, uniforms } = this;
     const local = lightTurned(light, this.called.place.turn);
     parts.looks.dress(pose, uniforms.shared, uniforms.eyes);
+    this.clothes?.write(parts.looks.garments(pose), uniforms.shared);
     writeEyeTraits(eyeTraitsOf(pose, parts.library), uniforms.shared);
     const { lacquer, fur } = uniforms.shared;
     const shown = complexionOf(pose, parts.library.expressions);
@@ -414,6 +421,7 @@ export class DrawnCharacter {
     this.shadow.dispose();
     this.paint.dispose();
     this.figure?.dispose();
+    this.clothes?.dispose();
     blender.drop(this.target);
   }
 

@@ -239,7 +239,8 @@ export class Library {
   private async readFigures(): Promise<FigureSpace> {
     const url = this.manifest.figures?.url;
     if (url === undefined) throw new Error("This cast has no figures; bake it again.");
-    return readFigureSpace(decode(await fetchWithRetry(url, this.read)) as FigureAsset, this.manifest.skin);
+    const garments = (this.manifest.figures?.garments ?? []).map(({ name }) => name);
+    return readFigureSpace(decode(await fetchWithRetry(url, this.read)) as FigureAsset, this.manifest.skin, garments);
   }
 
   /** A body by its name. */

@@ -3,7 +3,7 @@
 import { aligned } from "./arrays";
 import type { BodyAsset, FigureAsset, PoseDocument } from "./messages";
 
-/** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body. */
+/** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body, a skirt's the last. */
 export interface FigureSpace {
   /** Names of the bones; a parent stands before its children, -1 before the first. */
   readonly bones: readonly string[];
@@ -26,6 +26,11 @@ export interface FigureSpace {
   /** Rows whose mean, moved by an offset in metres, is the joint that the head turns on. */
   readonly headJoint: Uint32Array;
   readonly headJointOffset: readonly [number, number, number];
+  /** Triangles of the skirt, as rows, and the first of these. */
+  readonly skirt: Uint32Array;
+  readonly firstOfSkirt: number;
+  /** By name: cover, thick, trim and hidden of each row (V + B, 4), metres (`model.body.garment`). */
+  readonly garments: ReadonlyMap<string, Float32Array>;
 }
 
 /** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3). */
@@ -47,12 +52,17 @@ export interface FigurePose {
 /** Bones that move one row. */
 export const ROW_BONES = 8;
 
-/** What all bodies share as typed arrays; an Error when it does not fit a head of `skin` rows, or itself. */
-export function readFigureSpace(asset: FigureAsset, skin: number): FigureSpace {
+/**
+ * What all bodies share as typed arrays; an Error when it does not fit a head of `skin` rows, or itself; `garments`: their
+ * names, in the asset's order.
+ */
+export function readFigureSpace(asset: FigureAsset, skin: number, garments: readonly string[]): FigureSpace {
   const rowBones = new Uint8Array(aligned(asset.row_bones));
   const rows = rowBones.length / ROW_BONES;
   const edge = new Uint32Array(aligned(asset.edge));
   const joined = new Uint32Array(aligned(asset.joined));
+  const skirt = new Uint32Array(aligned(asset.skirt));
+  const worn = new Float32Array(aligned(asset.garments));
   const space: FigureSpace = {
     bones: asset.bones,
     parents: new Int32Array(aligned(asset.parents)),
@@ -68,6 +78,9 @@ export function readFigureSpace(asset: FigureAsset, skin: number): FigureSpace {
     join: new Float32Array(aligned(asset.join)),
     headJoint: new Uint32Array(aligned(asset.head_joint)),
     headJointOffset: asset.head_joint_offset,
+    skirt,
+    firstOfSkirt: skirt.reduce((least, row) => Math.min(least, row), rows),
+    garments: new Map(garments.map((name, place) => [name, worn.subarray(4 * rows * place, 4 * rows * (place + 1))])),
   };
   const fits =
     asset.head_rows === skin &&
@@ -75,7 +88,8 @@ export function readFigureSpace(asset: FigureAsset, skin: number): FigureSpace {
     space.shares.length === rows &&
     space.parents.length === asset.bones.length &&
     space.join.length === joined.length * edge.length &&
-    space.triangles.every((row) => row < rows) &&
+    worn.length === 4 * rows * garments.length &&
+    [space.triangles, skirt].every((corners) => corners.every((row) => row < rows)) &&
     rowBones.every((bone) => bone < asset.bones.length) &&
     [edge, space.headJoint].every((named) => named.every((row) => row < skin)) &&
     joined.every((row) => row < space.bodyRows);

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 12;
+export const PROTOCOL_VERSION = 13;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1879,7 +1879,7 @@ export type State = {
   looked_at: CueName | null;
 };
 
-/** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
+/** Colours of a face, each `#rrggbb`, hair style, garment, and the traits, plain numbers (`model.cast.Look`). */
 export type Look = {
   skin: string;
   lip: string;
@@ -1904,6 +1904,12 @@ export type Look = {
   lacquer: number;
   scalp: number;
   milk: number;
+  garment: string;
+  cloth: string;
+  trim: string;
+  pinstripes: number;
+  checks: number;
+  dots: number;
 };
 
 /**
@@ -2050,8 +2056,16 @@ export type PoseDocument = {
   feet_turns: Uint8Array;
 };
 
-/** The bodies and poses of a cast; `url`: where its `FigureAsset` is. */
-export type FiguresDocument = { url: string; bodies: BodyDocument[]; poses: PoseDocument[] };
+/** A garment that looks may name. */
+export type GarmentDocument = { name: string; label: string };
+
+/** The bodies, poses and garments of a cast; `url`: where its `FigureAsset` is. */
+export type FiguresDocument = {
+  url: string;
+  bodies: BodyDocument[];
+  poses: PoseDocument[];
+  garments: GarmentDocument[];
+};
 
 /**
  * All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
@@ -2108,7 +2122,9 @@ export type HairAsset = {
  * `bones`: their names, `parents` (bones,) i32 -1 for the first; `row_bones` (V + B, 8) u8, `row_weights` u16 of
  * 65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
  * head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
- * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32.
+ * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
+ * are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
+ * the manifest's order (`model.body.garment`).
  */
 export type FigureAsset = {
   bones: string[];
@@ -2126,6 +2142,8 @@ export type FigureAsset = {
   head_joint_offset: [number, number, number];
   uvs: Uint8Array;
   uv_rows: Uint8Array;
+  skirt: Uint8Array;
+  garments: Uint8Array;
 };
 
 /** A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3). */

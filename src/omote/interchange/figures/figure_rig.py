@@ -1,4 +1,4 @@
-"""A figure for other programs: joints in T-pose, and meshes of the face and the suit on them.
+"""A figure for other programs: joints in T-pose, and meshes of the face, the garment and what it leaves bare on them.
 
 Programs blend bones linearly, which strays the farther from a stage the more a joint turns. So vertices are kept where
 the body was modelled, arms half down, and corrected so that the T-pose, in which the file rests, is the stage's own: in
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, vstack
 from scipy.spatial import cKDTree
 
 from omote.arrays import Floats, Indices, Points, Triangles, Values
@@ -26,6 +26,7 @@ from omote.interchange.skin_texture import decode_srgb
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
+from omote.model.body.garment import Garment
 from omote.model.body.posed_bones import PosedBones
 from omote.model.body.skeleton import SIDES
 from omote.model.cast import Cast, Look
@@ -38,11 +39,13 @@ from omote.perform.limits import check_known
 HEAD = "head"
 SKIN = "skin"
 HAIR = "hair"
-SUIT = "suit"
-HANDS = "hands"
+GARMENT = "garment"
+TRIM = "trim"
+BARE = "bare"
 SHOES = "shoes"
-BODY = (SUIT, HANDS, SHOES)
-CLOTH = Material(SUIT, colour=(0.016, 0.016, 0.019), roughness=0.9)
+BODY = (GARMENT, TRIM, BARE, SHOES)
+"""What there may be of the body, where the garment has it: cloth in its two colours, skin, shoes."""
+CLOTH_ROUGHNESS = 0.9
 LEATHER = Material(SHOES, colour=(0.008, 0.008, 0.009), roughness=0.45)
 MOVES = 5e-7
 """Metres: what moves less is left out of a target."""
@@ -61,9 +64,9 @@ class BodyMesh:
 class ExportedFigure:
     """A face on a body, ready to be written.
 
-    cast, face: whose head; body: whose body, in its suit; resting: of both; rest: its bones in T-pose; shift: what
-    brings a point of the face to its place in the scene, ankles above the origin and soles on y = 0, metres;
-    influences: joints that move a vertex at most.
+    cast, face: whose head and garment; body: whose body, as cloth spans it; resting: of both; rest: bones in T-pose;
+    shift: what brings a point of the face to its place in the scene, ankles above the origin and soles on y = 0,
+    metres; influences: joints that move a vertex at most.
     """
 
     cast: Cast
@@ -114,19 +117,20 @@ class ExportedFigure:
         return Rig(self.joints, self.inverse, weights, HEAD, {name: self.motion(name) for name in poses})
 
     def body_shapes(self, skins: Mapping[str, Points], /) -> list[Shape]:
-        """Suit, hands and shoes, in the face's frame; skins: the head's skin (V, 3) in each expression, by name."""
+        """Garment, bare skin and shoes, in the face's frame; skins: the head's skin (V, 3) in each expression."""
         look = self.cast.looks[self.face]
-        surfaces = {SUIT: CLOTH, HANDS: _bare(look), SHOES: LEATHER}
+        cloth = {name: _cloth(name, colour) for name, colour in ((GARMENT, look.cloth), (TRIM, look.trim))}
+        surfaces = {**cloth, BARE: _bare(look), SHOES: LEATHER}
         moves = {name: self._follow(skin) for name, skin in skins.items()}
-        return [self._shape(name, self.meshes[name], surface, moves) for name, surface in surfaces.items()]
+        return [self._shape(name, part, surfaces[name], moves) for name, part in self.meshes.items()]
 
     def worn(self, name: str, /) -> tuple[Points, Points]:
-        """Where suit, hands or shoes are in T-pose as stages draw them, in the face's frame, and their normals, (n, 3)
+        """Where a mesh of the body is in T-pose as stages draw them, in the face's frame, and their normals, (n, 3)
         both."""
         part = self.meshes[name]
         rows = skin_figure(self.space, self.resting, self.rest).astype(np.float64)
         welded = np.concatenate([self.cast.space.welded, np.arange(len(self.cast.space.welded), len(rows))])
-        corners = welded[np.concatenate([self.cast.space.triangles, self.space.triangles])]
+        corners = welded[np.concatenate([self.cast.space.triangles, self.space.triangles, self.space.skirt])]
         upright = mesh.normals(rows, corners)[welded]
         normals = _unit(part.blend @ upright)
         points = part.blend @ rows + (part.blend @ self._parts.cloth)[:, None] * normals
@@ -202,17 +206,28 @@ class ExportedFigure:
         first = next(iter(self.figures.bodies.values()))
         generic = self.cast.faces.get(GENERIC)
         face = self.cast.space.points if generic is None else generic.positions.astype(np.float64)
-        return suit_parts(self.space, first, face)
+        return suit_parts(self.space, first, face, self._garment)
+
+    @property
+    def _garment(self) -> Garment:
+        return self.figures.garments[self.cast.looks[self.face].garment]
 
     @cached_property
     def meshes(self) -> dict[str, BodyMesh]:
-        """Suit, hands and shoes: the figure below the roll at the neck, cut where hands and shoes begin."""
+        """What there is of `BODY`: the figure below the roll at the neck, without what a skirt hides, and the skirt,
+        cut where colours, bare skin and shoes begin."""
         parts = self._parts
+        garment = self._garment
         whole = _whole_mesh(self.space, self.cast.space.triangles, parts.height)
         below = _cut(whole, parts.height, ROLL)[0]
-        clad, hands = _cut(below, parts.hand, 0.5)
-        suit, shoes = _cut(clad, parts.shoe, 0.5)
-        return {SUIT: suit, HANDS: hands, SHOES: shoes}
+        shown = _cut(below, garment.hidden, 0.0)[0]
+        clad, shoes = _cut(shown, parts.shoe, 0.5)
+        bare, cloth = _cut(clad, garment.cover, 0.0)
+        skirt = _cut(_skirt_mesh(self.space), garment.cover, 0.0)[1]
+        halves = zip(_cut(cloth, garment.trim, 0.0), _cut(skirt, garment.trim, 0.0), strict=True)
+        plain, trim = (_joined(one, other) for one, other in halves)
+        meshes = {GARMENT: plain, TRIM: trim, BARE: bare, SHOES: shoes}
+        return {name: part for name, part in meshes.items() if len(part.triangles)}
 
 
 def export_figure(cast: Cast, face: str, body: str, /, *, influences: int) -> ExportedFigure:
@@ -228,7 +243,7 @@ def export_figure(cast: Cast, face: str, body: str, /, *, influences: int) -> Ex
     name = face if body == FACES_OWN else check_known(body, figures.bodies, "body")
     first = next(iter(figures.bodies.values()))
     worn = wear_suit(figures.space, first, figures.body_of(name))
-    alone = Figures(figures.space, {worn.name: worn}, figures.poses)
+    alone = Figures(figures.space, {worn.name: worn}, figures.poses, figures.garments)
     resting = resting_figure(alone, {worn.name: 1.0}, cast.faces[face].positions.astype(np.float64))
     ends = worn.ends + (resting.joints[0] - worn.joints[0])
     rest = pose_t(figures.space.skeleton, resting, ends)
@@ -237,7 +252,26 @@ def export_figure(cast: Cast, face: str, body: str, /, *, influences: int) -> Ex
 
 def _bare(look: Look) -> Material:
     red, green, blue = (float(part) for part in decode_srgb(look.skin))
-    return Material(HANDS, colour=(red, green, blue), roughness=0.62)
+    return Material(BARE, colour=(red, green, blue), roughness=0.62)
+
+
+def _cloth(name: str, colour: str) -> Material:
+    red, green, blue = (float(part) for part in decode_srgb(colour))
+    return Material(name, colour=(red, green, blue), roughness=CLOTH_ROUGHNESS, both=True)
+
+
+def _skirt_mesh(space: FigureSpace) -> BodyMesh:
+    """The skirt, of which no texture is known."""
+    rows = np.arange(space.first_of_skirt, len(space.bones))
+    blend = csr_array((np.ones(len(rows)), (np.arange(len(rows)), rows)), shape=(len(rows), len(space.bones)))
+    triangles = (space.skirt - space.first_of_skirt).astype(np.int32)
+    return BodyMesh(blend, np.zeros((len(rows), 2), np.float32), triangles)
+
+
+def _joined(one: BodyMesh, other: BodyMesh) -> BodyMesh:
+    blend = csr_array(vstack([one.blend, other.blend]))
+    triangles = np.concatenate([one.triangles, other.triangles + one.blend.shape[0]])
+    return BodyMesh(blend, np.concatenate([one.uv, other.uv]), triangles)
 
 
 def _whole_mesh(space: FigureSpace, skin: Triangles, height: Values) -> BodyMesh:
@@ -252,7 +286,7 @@ def _whole_mesh(space: FigureSpace, skin: Triangles, height: Values) -> BodyMesh
     return BodyMesh(blend, uv.astype(np.float32), place.reshape(-1, 3).astype(np.int32))
 
 
-def _cut(part: BodyMesh, values: Values, level: float) -> tuple[BodyMesh, BodyMesh]:
+def _cut(part: BodyMesh, values: Values | Floats, level: float) -> tuple[BodyMesh, BodyMesh]:
     """What of a part lies under a level and over it. values (V + B,): of all rows."""
     cut = cut_mesh(part.triangles, part.blend @ values, level)
     blend = cut.blend @ part.blend

@@ -1,4 +1,4 @@
-"""A body in a plain suit, as stages draw it: cloth spans what lies hidden under it, and shoes round off toes.
+"""A body in a garment, as stages draw it: cloth spans what lies hidden under it, and shoes round off toes.
 
 The same steps as web/src/face/figure/suit.ts and body_shaders.ts.
 """
@@ -16,6 +16,7 @@ from omote.arrays import Points, Values
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
+from omote.model.body.garment import Garment
 
 INWARD = 0.6
 OUTWARD = -0.62
@@ -29,23 +30,21 @@ and from which on none."""
 SHOE_ROUNDS = 16
 SPANNED = ("root", "spine", "pelvis", "upperleg01")
 TOES = ("toes",)
-HAND = ("wrist", "metacarpal", "finger")
 SHOE = ("foot", "toes")
-"""What the names of bones begin with: of trunk and hips, whose relief cloth spans; of toes, hands and shoes."""
-THICK = 0.003
+"""What the names of bones begin with: of trunk and hips, whose relief cloth spans; of toes and shoes."""
 LEATHER = 0.003
-"""How far cloth lies on the skin, and how much farther shoes stand off, metres."""
+"""How far shoes stand off what is under them, metres."""
 ROLL = 0.016
 ROUND = 0.006
-"""Where the suit ends around the neck, metres above the head's rim; it is round within the last of them."""
+"""Where a garment ends around the neck, metres above the head's rim; it is round within the last of them."""
 
 
 @dataclass(frozen=True, eq=False)
 class SuitParts:
-    """hand, shoe (V + B,): how much each row is of a hand and of a shoe, 0..1; height (V + B,): metres above the plane
-    of the head's rim."""
+    """thick (V + B,): how far the garment stands off each row, metres; shoe (V + B,): how much each row is of a shoe,
+    0..1; height (V + B,): metres above the plane of the head's rim."""
 
-    hand: Values
+    thick: Values
     shoe: Values
     height: Values
 
@@ -56,18 +55,20 @@ class SuitParts:
 
     @property
     def cloth(self) -> Values:
-        """How far the suit lies on each row, metres."""
-        thick = THICK + LEATHER * smooth_ramp(0.3, 0.7, self.shoe)
-        return np.asarray(thick * (1.0 - smooth_ramp(0.3, 0.55, self.hand)) * (1.0 - 0.75 * self.rolled**2))
+        """How far garment and shoes lie on each row, metres."""
+        thick = self.thick + LEATHER * smooth_ramp(0.3, 0.7, self.shoe)
+        return np.asarray(thick * (1.0 - 0.75 * self.rolled**2))
 
 
-def suit_parts(space: FigureSpace, body: Body, face: Points, /) -> SuitParts:
-    """Which rows are of hands and shoes, and how high they lie above the rim. space: of bodies; body, face (V, 3): the
+def suit_parts(space: FigureSpace, body: Body, face: Points, garment: Garment, /) -> SuitParts:
+    """How garment and shoes lie on rows, and how high these lie above the rim. space: of bodies; body, face (V, 3): the
     generic ones."""
     places = np.concatenate([face, body.positions])
     rim = places[space.rim_rows]
     slope, level = np.polyfit(rim[:, 2], rim[:, 1], 1)
-    return SuitParts(_moved_by(space, HAND), _moved_by(space, SHOE), places[:, 1] - level - slope * places[:, 2])
+    return SuitParts(
+        garment.thick.astype(np.float64), _moved_by(space, SHOE), places[:, 1] - level - slope * places[:, 2]
+    )
 
 
 def wear_suit(space: FigureSpace, first: Body, body: Body, /) -> Body:
@@ -95,9 +96,10 @@ def _moved_by(space: FigureSpace, names: tuple[str, ...]) -> Values:
 
 
 def _body_share(space: FigureSpace, names: tuple[str, ...]) -> Values:
-    """The same of the body's rows (B,), nothing of those that follow a head."""
+    """The same of the body's rows (B,), nothing of those of a skirt or that follow a head."""
     share = _moved_by(space, names)[space.head_rows :]
     share[space.joined] = 0.0
+    share[space.first_of_skirt - space.head_rows :] = 0.0
     return share
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -17,7 +17,7 @@ BONES_OF_A_ROW = 8
 
 @dataclass(frozen=True, eq=False)
 class FigureSpace:
-    """One topology: the rows of the head's skin, then those of the body, V + B together.
+    """One topology: the rows of the head's skin, then those of the body, of which a skirt is the last: V + B together.
 
     Parameters
     ----------
@@ -44,6 +44,8 @@ class FigureSpace:
         Rows of the head whose mean, moved by `head_joint_offset` (3,) metres, is the joint that the head turns on.
     uvs, uv_rows
         Texture coordinates (k, 2), (0, 0) the upper left corner, and the row of `uvs` at each triangle's corner (t, 3).
+    skirt : (s, 3) of int
+        Triangles of the skirt, whose rows are the last of the body; garments show it or leave it out.
 
     References
     ----------
@@ -65,6 +67,7 @@ class FigureSpace:
     head_joint_offset: Values
     uvs: Floats
     uv_rows: Triangles
+    skirt: Triangles = field(default_factory=lambda: np.zeros((0, 3), np.int32))
 
     def __post_init__(self) -> None:
         count = len(self.bones)
@@ -88,6 +91,7 @@ class FigureSpace:
             "head_joint",
             "uvs",
             "uv_rows",
+            "skirt",
         ):
             freeze(getattr(self, name))
 
@@ -95,6 +99,11 @@ class FigureSpace:
     def body_rows(self) -> int:
         """B, rows of the body below the head's rim."""
         return len(self.bones) - self.head_rows
+
+    @cached_property
+    def first_of_skirt(self) -> int:
+        """The first row of the skirt; as many as there are rows where there is none."""
+        return int(self.skirt.min()) if len(self.skirt) else len(self.bones)
 
     @cached_property
     def rim_rows(self) -> Indices:

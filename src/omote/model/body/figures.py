@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
+from omote.model.body.garment import Garment
 from omote.model.body.pose import STAND, Pose
 from omote.model.known_names import KnownNames
 
@@ -24,6 +25,8 @@ class Figures:
         By name; a face without a body of its name wears the first.
     poses : mapping of Pose
         By name, "stand" among them, which turns nothing.
+    garments : mapping of Garment
+        By name; a look that names none of them wears the first.
 
     Raises
     ------
@@ -34,6 +37,7 @@ class Figures:
     space: FigureSpace
     bodies: Mapping[str, Body]
     poses: Mapping[str, Pose]
+    garments: Mapping[str, Garment] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not self.bodies:
@@ -52,9 +56,17 @@ class Figures:
             raise ValueError(
                 f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it"
             )
+        _refuse_strange_garments(self.garments, len(self.space.bones))
+        object.__setattr__(self, "garments", MappingProxyType(KnownNames("garment", self.garments)))
         object.__setattr__(self, "bodies", MappingProxyType(KnownNames("body", self.bodies)))
         object.__setattr__(self, "poses", MappingProxyType(KnownNames("pose", self.poses)))
 
     def body_of(self, face: str) -> Body:
         """The body that belongs to a face, by its name."""
         return self.bodies.get(face) or next(iter(self.bodies.values()))
+
+
+def _refuse_strange_garments(garments: Mapping[str, Garment], rows: int) -> None:
+    for name, garment in garments.items():
+        if len(garment.cover) != rows:
+            raise ValueError(f"garment {name!r} covers {len(garment.cover)} rows; expected {rows}")

@@ -81,14 +81,17 @@ def compose_face(
 
 
 def choose_look(look: Look, chosen: Mapping[str, str | float], /) -> Look:
-    """A look with chosen colours, traits and hair style in place of its own; another style comes with its own shade on
-    the scalp where none is chosen.
+    """A look with chosen colours, traits, garment and hair style in place of its own; another style comes with its own
+    shade on the scalp where none is chosen.
 
     chosen: by the names of `Look`, but for a picture. Raises ValueError on names and values that no look has.
     """
     strange = sorted(chosen.keys() - CHOSEN)
     if strange:
         raise ValueError(f"a look has no {strange[0][:80]!r} to choose; expected {', '.join(sorted(CHOSEN))}")
+    garment = chosen.get("garment", look.garment)
+    if not isinstance(garment, str):
+        raise ValueError(f"garment of a look is {garment!r}; expected the name of a garment")
     style = chosen.get("hair_style", look.hair_style)
     if not isinstance(style, str):
         raise ValueError(f"hair_style of a look is {style!r}; expected the name of a style")
@@ -121,14 +124,16 @@ def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
 
     Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
     share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
-    all who wear hair. Pictures of skin mix too; what is painted is mixed from those whose paint shows.
+    all who wear hair. The garment is whole too, that of the largest share. Pictures of skin mix; what is painted is
+    mixed from those whose paint shows.
     """
     style = _style(looks)
     painted = _painted_shares(looks)
     wearers = _normalize_shares([(look, share) for look, share in looks if look.hair_style == style])
     haired = _normalize_shares([(look, share) for look, share in looks if look.hair_style]) or looks
     pictures = tuple((look.albedo, share) for look, share in looks)
-    mixed: dict[str, str | float | Albedo | None] = {"hair_style": style, "albedo": mix_albedos(pictures)}
+    mixed: dict[str, str | float | Albedo | None] = {"hair_style": style, "garment": _garment(looks)}
+    mixed["albedo"] = mix_albedos(pictures)
     for trait in (field.name for field in fields(Look) if field.name not in mixed):
         those = {"scalp": wearers, "hair": haired, **dict.fromkeys(_PAINTED, painted)}.get(trait, looks)
         worn = [(getattr(look, trait), share) for look, share in those]
@@ -148,6 +153,14 @@ def _style(looks: Sequence[tuple[Look, float]]) -> str:
     if shares.pop("", 0.0) > sum(shares.values()):
         return ""
     return max(shares, key=lambda style: shares[style])
+
+
+def _garment(looks: Sequence[tuple[Look, float]]) -> str:
+    """What most of a mix wear."""
+    shares: dict[str, float] = {}
+    for look, share in looks:
+        shares[look.garment] = shares.get(look.garment, 0.0) + share
+    return max(shares, key=lambda garment: shares[garment])
 
 
 def _painted_shares(looks: Sequence[tuple[Look, float]]) -> Sequence[tuple[Look, float]]:

@@ -29,8 +29,8 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     Returns
     -------
     ndarray of float32, (V + B, 3)
-        Metres, in the axes of the head: the rows of `evaluate`, then those of the body (`cast.figures.space`), without
-        suit and shoes.
+        Metres, in the axes of the head: the rows of `evaluate`, then those of the body and its skirt
+        (`cast.figures.space`), without cloth and shoes.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     >>> performer = omote.Performer(cast)
     >>> performer.call_pose("bow", seconds=2)
     >>> omote.evaluate_figure(cast, performer.advance(1)).shape
-    (13380, 3)
+    (14100, 3)
 
     References
     ----------

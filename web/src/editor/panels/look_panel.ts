@@ -14,7 +14,7 @@ import { PERCENT } from "../controls/units";
 import { loadFace } from "../session/asset_loading";
 import type { Topic } from "../session/draft_store";
 import { hairOf } from "../session/thumbnail_renderer";
-import { COLOURS, LOOK_PARTS, type LookPart, type Trait } from "./look_parts";
+import { COLOURS, GARMENT_PART, LOOK_PARTS, type LookPart, type Trait } from "./look_parts";
 
 const style = css`
   .tiles {
@@ -132,6 +132,7 @@ export class LookPanel extends EditorElement {
       ${this.#heading("Hair", HAIR)}
       <div class="tiles" role="group" aria-label="Hair style">${["", ...this.#styles].map((name) => this.#style(name))}</div>
       ${LOOK_PARTS.map((part) => this.#part(part))}
+      ${this.#garments()}
     `;
   }
 
@@ -146,6 +147,19 @@ export class LookPanel extends EditorElement {
       <canvas data-style=${name} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
       <span>${label}</span>
     </button>`;
+  }
+
+  /** What a figure wears; nothing where the cast has no figures. */
+  #garments() {
+    const garments = this.store.manifest?.figures?.garments ?? [];
+    if (garments.length === 0) return nothing;
+    const parts = [...GARMENT_PART.colours, ...GARMENT_PART.traits].map(({ name }) => name);
+    return html`${this.#heading(GARMENT_PART.title, ["garment", ...parts])}
+      <div class="row" role="group" aria-label="Garment">${garments.map(
+        ({ name, label }) => html`<button data-garment=${name} aria-pressed=${this.#value("garment") === name}
+          @click=${() => this.#choose({ garment: name }, `garment: ${label.toLowerCase()}`)}>${label}</button>`,
+      )}</div>
+      ${this.#part({ ...GARMENT_PART, title: "" })}`;
   }
 
   #part({ title, colours, traits }: LookPart) {

@@ -58,6 +58,17 @@ export const COLOURS = {
     ["#8e2f3a", "wine"],
     ["#7c3f38", "brown"],
   ],
+  cloth: [
+    ["#222226", "black"],
+    ["#5b5f66", "grey"],
+    ["#ded8cb", "white"],
+    ["#8a6a44", "camel"],
+    ["#31527a", "blue"],
+    ["#2a3550", "navy"],
+    ["#b3324a", "red"],
+    ["#3f6b4f", "green"],
+    ["#e3c27c", "gold"],
+  ],
 } as const satisfies Record<string, Swatches>;
 
 /** A part of a face: its colours and numbers by their names in a look. */
@@ -67,6 +78,20 @@ export interface LookPart {
   readonly colours: readonly { readonly name: string; readonly label: string; readonly kind: keyof typeof COLOURS }[];
   readonly traits: readonly Trait[];
 }
+
+/** What goes with a garment, which is chosen above it. */
+export const GARMENT_PART: LookPart = {
+  title: "Garment",
+  colours: [
+    { name: "cloth", label: "Colour of the cloth", kind: "cloth" },
+    { name: "trim", label: "Second colour", kind: "cloth" },
+  ],
+  traits: [
+    { name: "pinstripes", label: "Pinstripes", hint: "How much of the second colour they show" },
+    { name: "checks", label: "Checks", hint: "How much of the second colour they show" },
+    { name: "dots", label: "Dots", hint: "How much of the second colour they show" },
+  ],
+};
 
 export const LOOK_PARTS: readonly LookPart[] = [
   { title: "", colours: [{ name: "hair", label: "Colour of the hair", kind: "hair" }], traits: [] },

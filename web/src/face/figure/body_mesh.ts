@@ -5,8 +5,9 @@ import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 import { COVERAGE, material, type Uniforms } from "../gpu/renderer";
 import { type CurvedTriangles, divideLong, type Longest } from "../skin/curved_triangles";
 import { between } from "../skin/skin_parts";
-import { BODY_FRAGMENT, BODY_VERTEX, ROLL } from "./body_shaders";
+import { BODY_FRAGMENT, BODY_VERTEX, LIMBS, ROLL } from "./body_shaders";
 import type { SharedFigures } from "./shared_figures";
+import { placeOf } from "./skeleton";
 
 /** Metres above the head's rim to which its triangles are taken, of which the suit ends within. */
 const COVERED = ROLL + 0.012;
@@ -22,7 +23,7 @@ interface FaceRows {
 
 /** The body below a head; `skin`: the triangles of the head's skin, as rows. */
 export function bodyParts(
-  { space, first }: SharedFigures,
+  { space, first, skeleton }: SharedFigures,
   skin: Uint32Array,
   { positions, bag }: FaceRows,
   uniforms: Uniforms,
@@ -40,10 +41,11 @@ export function bodyParts(
   const rows = Float32Array.from({ length: heights.length }, (_, row) => row);
   flat.setIndex(new THREE.BufferAttribute(divided.flat, 1));
   flat.setAttribute("source", new THREE.BufferAttribute(rows, 1));
-  flat.setAttribute("parts", new THREE.BufferAttribute(parts, 3));
-  const look = { uniforms, multisample };
-  const meshes = [meshOf(flat, look, {})];
-  if (divided.curved.length > 0) meshes.push(meshOf(curvedGeometry(divided, parts), look, { CURVED: "" }));
+  flat.setAttribute("parts", new THREE.BufferAttribute(parts, 4));
+  flat.setAttribute("place", new THREE.BufferAttribute(places, 3));
+  const look = { uniforms: { ...uniforms, limbs: { value: limbsOf(skeleton, first) } }, multisample };
+  const meshes = [meshOf(flat, look, {}), skirtOf(space, flat, look)];
+  if (divided.curved.length > 0) meshes.push(meshOf(curvedGeometry(divided, parts, places), look, { CURVED: "" }));
   return meshes;
 }
 
@@ -64,12 +66,27 @@ function meshOf(
   return Object.assign(new THREE.Mesh(geometry, look), { name: "body" });
 }
 
-function curvedGeometry(divided: CurvedTriangles, parts: Float32Array): THREE.BufferGeometry {
+/** The skirt, of which both sides are seen. */
+function skirtOf({ skirt }: FigureSpace, flat: THREE.BufferGeometry, look: Drawing): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  for (const [name, attribute] of Object.entries(flat.attributes)) geometry.setAttribute(name, attribute);
+  geometry.setIndex(new THREE.BufferAttribute(skirt, 1));
+  const mesh = meshOf(geometry, look, { SKIRT: "" });
+  (mesh.material as THREE.Material).side = THREE.DoubleSide;
+  return mesh;
+}
+
+/** Where arms and legs of the left bend and end on a body: patterns run along them. */
+const limbsOf = (skeleton: SharedFigures["skeleton"], { joints }: Body): THREE.Vector3[] =>
+  LIMBS.map((name) => new THREE.Vector3().fromArray(joints, 3 * placeOf(skeleton, `${name}.L`)));
+
+function curvedGeometry(divided: CurvedTriangles, parts: Float32Array, places: Float32Array): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(divided.curved, 1));
   geometry.setAttribute("rows", new THREE.BufferAttribute(Float32Array.from(divided.corners), 3));
   geometry.setAttribute("shares", new THREE.BufferAttribute(divided.shares, 3));
-  geometry.setAttribute("parts", new THREE.BufferAttribute(between(divided, parts, 3), 3));
+  geometry.setAttribute("parts", new THREE.BufferAttribute(between(divided, parts, 4), 4));
+  geometry.setAttribute("place", new THREE.BufferAttribute(between(divided, places, 3), 3));
   return geometry;
 }
 
@@ -97,19 +114,24 @@ function heightOver({ edge, rim }: FigureSpace, places: Float32Array): (place: A
   return (place) => (place[1] as number) - up - slope * ((place[2] as number) - ahead);
 }
 
-/** Per row: how much it is of a hand, of a shoe, and its height above the rim, which no row below counts. */
-function partsOf({ bones, rowBones, rowWeights }: FigureSpace, heights: Float32Array): Float32Array {
-  const parts = new Float32Array(3 * heights.length);
+/** Per row: how much it is of a hand, of a shoe, its height above the rim, which no row below counts, and of which limb (1 an
+ * arm, -1 a leg). */
+function partsOf({ bones, rowBones, rowWeights, firstOfSkirt }: FigureSpace, heights: Float32Array): Float32Array {
+  const parts = new Float32Array(4 * heights.length);
+  const ofArm = bones.map((name) => /^(upperarm|lowerarm|wrist|metacarpal|finger)/.test(name));
+  const ofLeg = bones.map((name) => /^(upperleg|lowerleg|foot|toes)/.test(name));
   const ofHand = bones.map((name) => /^(wrist|metacarpal|finger)/.test(name));
   const ofShoe = bones.map((name) => /^(foot|toes)/.test(name));
   heights.forEach((height, row) => {
-    let [hand, shoe] = [0, 0];
+    let [hand, shoe, limb] = [0, 0, 0];
     for (let at = ROW_BONES * row; at < ROW_BONES * (row + 1); at++) {
       const [bone, weight] = [rowBones[at] as number, (rowWeights[at] as number) / 65535];
       if (ofHand[bone]) hand += weight;
       if (ofShoe[bone]) shoe += weight;
+      if (ofArm[bone]) limb += weight;
+      if (ofLeg[bone] && row < firstOfSkirt) limb -= weight;
     }
-    parts.set([hand, shoe, Math.max(-1, height)], 3 * row);
+    parts.set([hand, shoe, Math.max(-1, height), limb], 4 * row);
   });
   return parts;
 }

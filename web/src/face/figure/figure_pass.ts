@@ -32,7 +32,7 @@ const CORNER_WIDTH = 512;
 
 /** The passes of all figures of a graphics context, and the bodies that they mix, which lie in an array of their own. */
 export class FigurePass {
-  private readonly space: FigureSpace;
+  readonly space: FigureSpace;
   private readonly height: number;
   private readonly rows: number;
   private readonly programs: Record<"edge" | "figure" | "normal", WebGLProgram>;
@@ -52,7 +52,7 @@ export class FigurePass {
     skin: Uint32Array,
   ) {
     this.space = space;
-    const { headRows, bodyRows, edge, rim, triangles } = space;
+    const { headRows, bodyRows, edge, rim, triangles, skirt } = space;
     this.rows = headRows + bodyRows;
     this.dressed = suitFor(space, first);
     this.height = Math.ceil(this.rows / ROW_WIDTH);
@@ -61,7 +61,7 @@ export class FigurePass {
       figure: createProgram(gl, PASS_VERTEX, figureFragment({ head: headRows, body: bodyRows, edge: edge.length })),
       normal: createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT),
     };
-    const around = fans([skin, triangles], this.rows);
+    const around = fans([skin, triangles, skirt], this.rows);
     const edges = new Uint32Array(2 * edge.length);
     for (let place = 0; place < edge.length; place++) edges[2 * place] = edge[place] as number;
     this.shared = {

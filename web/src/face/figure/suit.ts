@@ -19,9 +19,9 @@ const TOES = /^toes/;
 /** The bones of trunk and hips, whose relief cloth spans. */
 const SPANNED = /^(root|spine|pelvis|upperleg01)/;
 
-/** How much of each row of a body (B,) bones of these names move, 0..1; none of those that follow a head. */
+/** How much of each row of a body (B,) bones of these names move, 0..1; none of those of a skirt or that follow a head. */
 function movedBy(
-  { bones, rowBones, rowWeights, headRows, bodyRows, joined }: FigureSpace,
+  { bones, rowBones, rowWeights, headRows, bodyRows, joined, firstOfSkirt }: FigureSpace,
   names: RegExp,
 ): Float32Array {
   const of = bones.map((name) => names.test(name));
@@ -32,6 +32,7 @@ function movedBy(
     return sum;
   });
   for (const row of joined) share[row] = 0;
+  share.fill(0, firstOfSkirt - headRows);
   return share;
 }
 

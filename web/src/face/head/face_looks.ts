@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { FaceDocument, Look } from "../../link/messages";
+import { PATTERNS } from "../figure/garments";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
 import { addScaled, dressPictures, type ShownPicture } from "../skin/picture_mix";
@@ -37,6 +38,8 @@ export class FaceLooks {
     }
     const traits = mixSkinTraits(shares.map(([look, share]) => [look.traits, share]));
     for (const name of SKIN_TRAITS) shared[name].value = traits[name];
+    for (const name of PATTERNS)
+      shared[name].value = shares.reduce((sum, [{ traits }, share]) => sum + share * traits[name], 0);
     dressScalp(shares, shared);
     dressPictures(
       shares.map(([look, weight]) => ({ weight, look, picture: this.picture(look.source) })),
@@ -44,6 +47,14 @@ export class FaceLooks {
     );
     const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
     for (const eye of eyes) eye.radius.value = radius;
+  }
+
+  /** How much of each garment the faces on air wear. */
+  garments(pose: Pose): Map<string, number> {
+    const worn = new Map<string, number>();
+    for (const [{ traits }, share] of this.shares(pose))
+      worn.set(traits.garment, (worn.get(traits.garment) ?? 0) + share);
+    return worn;
   }
 
   /** The mix of the eyeballs' centres, left then right, metres: eyeballs turn about it, as `omote.evaluate_parts` has it. */

@@ -6,6 +6,7 @@ import type { Anatomy } from "../anatomy/anatomy";
 import { rowTriangles } from "../anatomy/topology";
 import { bodyParts } from "../figure/body_mesh";
 import { floor, floorUniforms } from "../figure/floor";
+import { type GarmentUniforms, garmentUniforms } from "../figure/garments";
 import type { SharedFigures } from "../figure/shared_figures";
 import { material, type Uniforms } from "../gpu/renderer";
 import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
@@ -25,7 +26,7 @@ import { mouthParts } from "./mouth";
 import { type Cages, cagesOf } from "./teeth_cage";
 
 /** The colours of a look, which the shaders take in linear light. */
-export const LOOK_COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
+export const LOOK_COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat", "cloth", "trim"] as const;
 type LookColours = Record<(typeof LOOK_COLOURS)[number], THREE.IUniform<THREE.Color>>;
 type EyeNumbers = Record<keyof EyeTraits, THREE.IUniform<number>>;
 
@@ -38,6 +39,7 @@ export interface HeadUniforms
     PaintUniforms,
     BloodUniforms,
     LookColours,
+    GarmentUniforms,
     EyeNumbers {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
@@ -99,6 +101,7 @@ export function headUniforms(
     figurePositions: { value: null },
     figureNormals: { value: null },
     ...floorUniforms(),
+    ...garmentUniforms(),
     viewPoint: { value: new THREE.Vector3() },
     grain: common?.grain ?? { value: grainTexture() },
     ...(Object.fromEntries(LOOK_COLOURS.map((part) => [part, { value: new THREE.Color() }])) as LookColours),
