@@ -22,6 +22,9 @@ interface SkinRows {
 /** How long edges may be on the lips' line, metres on the generic face; beside it longer by as much as they are away. */
 const LONGEST_AT_LIPS = 0.0016;
 
+/** The chin of the generic face, and how long edges may be within so far of it, metres: on a long one they are twice that. */
+const CHIN = { middle: [0, -0.098, 0.145], reach: 0.026, longest: 0.006 } as const;
+
 /** Where the lobes of the generic face's ears are, metres: aside, up, ahead. */
 const LOBE = [
   [0.064, 0.08],
@@ -84,12 +87,14 @@ function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonl
 }
 
 /**
- * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips in a close-up. What
- * it may be grows no faster than the way from the line, else slivers would be divided without end.
+ * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips or a chin in a
+ * close-up. No line, no such picture: all may be `most`. What it may be grows no faster than the way from the line, else slivers would be divided without end.
  */
 function longestBeside(line: readonly number[], positions: Float32Array, most: number): Longest {
   return (middle) => {
-    let nearest = most - LONGEST_AT_LIPS;
+    if (line.length === 0) return most;
+    const off = Math.hypot(...middle.map((value, axis) => value - (CHIN.middle[axis] as number)));
+    let nearest = Math.min(most, CHIN.longest + Math.max(0, off - CHIN.reach)) - LONGEST_AT_LIPS;
     for (const row of line) {
       let square = 0;
       for (let axis = 0; axis < 3; axis++)
