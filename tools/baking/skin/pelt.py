@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tools.baking.heads.basemesh import Floats
-from tools.baking.skin.noise import cloud_noise, value_noise
+from tools.baking.skin.noise import cloud_noise, strand_noise, value_noise
 from tools.baking.skin.texels import Texels, blob, ramp
 
 SEED = 4409
@@ -21,8 +21,7 @@ LINES_OF_THE_CHEEK: Sequence[Line] = (
     ((0.044, -0.019), (0.054, -0.029), (0.064, -0.034)),
     ((0.042, -0.037), (0.052, -0.048), (0.058, -0.052)),
 )
-BROW_OF_THE_HOUND: Line = ((0.0125, 0.0225), (0.021, 0.0255), (0.033, 0.0265))
-BROW_OF_THE_TABBY: Line = ((0.0140, 0.0290), (0.023, 0.0265), (0.033, 0.0205))
+_BROW_HAIRS = (0.0016, 0.0052, 0.0)  # metres: how far and whereto a hair over the left eye lies
 LINE_OF_TEARS: Line = ((0.0185, -0.005), (0.0155, -0.013), (0.0165, -0.022))
 # Whiskers, from the pad out over the cheek, and the roots on the pad: |x| and height, metres.
 WHISKERS: Sequence[Line] = (
@@ -52,7 +51,7 @@ def hound_pale(texels: Texels) -> Floats:
     throat = blob(places, (0.0, -0.118, 0.10), (0.035, 0.03, 0.06))
     blaze = blob(places, (0.0, 0.022, 0.15), (0.0075, 0.058, 0.07))
     torn = _torn(places)
-    spots = 0.65 * ramp(_strokes(places, (BROW_OF_THE_HOUND,), 0.0042) + 0.5 * torn, 0.25, 0.75)
+    spots = 0.5 * _in_hairs(blob(places, (0.0225, 0.0262, 0.138), (0.0095, 0.0050, 0.04)), places)
     return np.asarray(np.maximum(ramp(np.maximum.reduce([muzzle, throat, blaze]) + torn, 0.3, 0.5), spots))
 
 
@@ -73,7 +72,7 @@ def tabby_pale(texels: Texels) -> Floats:
     ear = 0.85 * _ears(places) * ramp(_facing_out(texels), 0.1, 0.5)
     soft = ramp(np.maximum.reduce([pads, chin, throat]) + _torn(places), 0.25, 0.55)
     whiskers = 0.9 * _strokes(places, WHISKERS, 0.0006, taper=True)
-    brow = 0.6 * ramp(_strokes(places, (BROW_OF_THE_TABBY,), 0.0040) + 0.5 * _torn(places), 0.25, 0.75)
+    brow = 0.68 * _in_hairs(blob(places, (0.0235, 0.0195, 0.138), (0.0105, 0.0095, 0.04)), places)
     return np.asarray(np.maximum.reduce([soft, ring, ear, whiskers, brow]))
 
 
@@ -110,6 +109,16 @@ def _facing_out(texels: Texels) -> Floats:
 def _torn(places: Floats) -> Floats:
     """What makes the border of a patch ragged (n,), around 0."""
     return np.asarray((cloud_noise(places, 0.008, seed=SEED) - 0.5) * 0.25)
+
+
+def _in_hairs(cover: Floats, places: Floats) -> Floats:
+    """A soft spot over an eye (n,), 0 to 1, that ends hair by hair as the fur around it lies."""
+    left = np.stack([np.abs(places[:, 0]), places[:, 1], places[:, 2]], axis=1)
+    near = np.flatnonzero(cover > 0.02)
+    found = np.zeros(len(places))
+    hairs = strand_noise(left[near], np.broadcast_to(_BROW_HAIRS, (len(near), 3)), 0.0008, seed=SEED + 7) - 0.5
+    found[near] = ramp(cover[near] + 0.7 * hairs * (1.0 - cover[near]), 0.2, 0.9)
+    return found
 
 
 def _whisker_roots(places: Floats) -> Floats:

@@ -34,3 +34,12 @@ def test_the_brows_of_a_mask_are_high_on_its_forehead(texels: Texels) -> None:
     painted = places[face & (found > 0.4)]
     assert painted[:, 1].min() > 0.035
     assert abs(np.abs(painted[:, 0]).mean() - 0.029) < 0.004
+
+
+def test_a_mask_s_hair_ends_around_its_ears(texels: Texels) -> None:
+    x, y, z = np.abs(texels.places[:, 0]), texels.places[:, 1], texels.places[:, 2]
+    found = mask_paint(texels)
+    outer = ~texels.inner
+    assert found[outer & (x > 0.078) & (y < -0.004) & (y > -0.042)].max() < 0.1  # the ears
+    above = outer & (x > 0.0715) & (np.abs(y - 0.017) < 0.003) & (z > 0.025) & (z < 0.06)
+    assert found[above].min() > 0.9

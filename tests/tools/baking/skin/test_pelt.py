@@ -50,3 +50,12 @@ def test_both_coats_are_alike_on_both_sides_and_leave_the_inner_skin_alone(texel
     assert picture.shape[2] == 4
     assert 0.0 <= picture.min() <= picture.max() <= 1.0
     assert not picture[texels.covered][texels.inner].any()
+
+
+def test_spots_over_eyes_are_fur_that_fades_and_never_whole(texels: Texels) -> None:
+    x, y, z = np.abs(texels.places[:, 0]), texels.places[:, 1], texels.places[:, 2]
+    for pale in (hound_pale(texels), tabby_pale(texels)):
+        spot = pale[~texels.inner & (x > 0.013) & (x < 0.036) & (y > 0.018) & (y < 0.036) & (z > 0.11)]
+        assert 0.3 < spot.max() < 0.7
+        fading = ((spot > 0.05) & (spot < 0.8 * spot.max())).sum()
+        assert fading > (spot >= 0.8 * spot.max()).sum()

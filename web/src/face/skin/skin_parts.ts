@@ -26,6 +26,9 @@ interface SkinRows {
 const LONGEST_AT_LIPS = 0.0016;
 const ON_LIPS = { wide: 0.012, growth: 0.3 } as const;
 
+/** The chin of the generic face, and how long edges may be within so far of it, metres: on a long one they are twice that. */
+const CHIN = { middle: [0, -0.098, 0.145], reach: 0.026, longest: 0.006 } as const;
+
 /** Where the lobes of the generic face's ears are, metres: aside, up, ahead. */
 const LOBE = [
   [0.064, 0.08],
@@ -88,11 +91,15 @@ function withoutLobes(triangles: Uint32Array, place: (vertex: number) => readonl
 }
 
 /**
- * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips in a close-up. What
- * it may be grows no faster than the way from the line, else slivers would be divided without end.
+ * How long edges may be: a line of straight edges shows as a polygon where it is the outline of lips or a chin in a
+ * close-up. No line, no such picture: all may be `most`. What it may be grows no faster than the way from the line, else
+ * slivers would be divided without end.
  */
 function longestBeside(line: readonly number[], positions: Float32Array, most: number): Longest {
   return (middle) => {
+    if (line.length === 0) return most;
+    const off = Math.hypot(...middle.map((value, axis) => value - (CHIN.middle[axis] as number)));
+    const atChin = CHIN.longest + Math.max(0, off - CHIN.reach);
     let nearest = ON_LIPS.wide + most;
     for (const row of line) {
       let square = 0;
@@ -101,7 +108,7 @@ function longestBeside(line: readonly number[], positions: Float32Array, most: n
       nearest = Math.min(nearest, Math.sqrt(square));
     }
     const within = Math.min(nearest, ON_LIPS.wide);
-    return Math.min(most, LONGEST_AT_LIPS + ON_LIPS.growth * within + nearest - within);
+    return Math.min(most, atChin, LONGEST_AT_LIPS + ON_LIPS.growth * within + nearest - within);
   };
 }
 
