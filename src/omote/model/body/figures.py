@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.pose import STAND, Pose
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.known_names import KnownNames
 
 
@@ -24,6 +25,8 @@ class Figures:
         By name; a face without a body of its name wears the first.
     poses : mapping of Pose
         By name, "stand" among them, which turns nothing.
+    recipes : mapping of PoseRecipe
+        What those poses that people wrote were made from, by name.
 
     Raises
     ------
@@ -34,6 +37,7 @@ class Figures:
     space: FigureSpace
     bodies: Mapping[str, Body]
     poses: Mapping[str, Pose]
+    recipes: Mapping[str, PoseRecipe] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not self.bodies:
