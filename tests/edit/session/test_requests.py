@@ -125,4 +125,4 @@ def test_a_pose_that_no_joint_can_do_is_refused(cast: Cast) -> None:
     nowhere = PoseRecipe(hips=(math.nan, 0.0, 0.0))
     with pytest.raises(ValueError, match="travel of pose"):
         OrderRunner(cast).run(Bake(nowhere, {}))
-    assert isinstance(harness.ask("ann", wire.SetPulls, draft.item, []), wire.Refused)
+    assert isinstance(harness.ask("ann", wire.SetPulls, draft.item, []), wire.EditRefused)

@@ -22,7 +22,7 @@ import { alike } from "./pose_words";
 
 /** Bodies beside the one under work, and how far from it, metres. */
 const BESIDE = 2;
-const APART = 1.3;
+const APART = 0.95;
 /** Behind figures, whose suits are black: grey in linear light. */
 const GROUND: [number, number, number] = [0.1, 0.105, 0.115];
 /** Radians that a figure turns for a picture's width. */
@@ -61,6 +61,9 @@ const style = css`
     background: none;
     touch-action: none;
     cursor: grab;
+  }
+  .grip:hover {
+    background: none;
   }
   .grip::after {
     content: "";

@@ -52,6 +52,7 @@ export class Figure {
   private posed: PosedBones | undefined;
   private restKey = "";
   private poseKey = "";
+  private poses: Library["poses"] | undefined;
   private changed = false;
   private missing = 0;
   private target!: FigureTarget;
@@ -112,6 +113,8 @@ export class Figure {
     if (worn.length === 0 || carried.length === 0) return;
     const restKey = JSON.stringify([worn, carried]);
     if (restKey !== this.restKey) this.rest(worn, carried);
+    if (this.library.poses !== this.poses) this.poseKey = ""; // a name may stand for another pose now
+    this.poses = this.library.poses;
     const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;
     [this.restKey, this.poseKey] = [restKey, poseKey];
