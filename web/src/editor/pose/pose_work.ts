@@ -15,7 +15,6 @@ import { base } from "../../ui/theme";
 import { whileShown } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
-import type { ViewKey } from "../page/keys";
 import type { Topic } from "../session/draft_store";
 import { GRIPS, type Grip, reach } from "./pose_grips";
 import { alike } from "./pose_words";
@@ -27,7 +26,7 @@ const APART = 0.95;
 const GROUND: [number, number, number] = [0.1, 0.105, 0.115];
 /** Radians that a figure turns for a picture's width. */
 const TURN = Math.PI;
-const VIEWS: Readonly<Partial<Record<ViewKey, number>>> = {
+const VIEWS: Readonly<Record<string, number>> = {
   front: 0,
   whole: 0,
   left: -Math.PI / 2,
@@ -124,7 +123,7 @@ export class PoseWork extends EditorElement {
   }
 
   /** Shows the figures from a side. */
-  view(key: ViewKey): void {
+  view(key: string): void {
     this.#turn = VIEWS[key] ?? 0;
     this.#redraw();
   }
