@@ -17,7 +17,7 @@ from omote.edit.session.console_requests import keep_on_air
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.recipes.recipe import KEY, AnyRecipe, Recipe, sources
 from omote.model.space.head_regions import REGIONS
 from omote.show.declaration import Message
 from omote.showfile.changes import (
@@ -66,7 +66,7 @@ def make_baked(order: EditOrder) -> Baked:
     named = {source.removeprefix(KEY) for source in sources(order.recipe) if source.startswith(KEY)}
     assert named <= order.contents.keys(), "an order carries all that it needs"
     made: dict[str, bytes] = {}
-    recipe: Recipe | FaceRecipe = order.recipe
+    recipe: AnyRecipe = order.recipe
     net = None
     miss = 0.0
     match order:

@@ -97,7 +97,8 @@ USED: dict[str, str] = {
         "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs "
         "editor/scan/turn"
     ),
-    "editor/panels": "link ui face/pose editor/session editor/controls",
+    "editor/pose": "link ui face face/figure face/pose editor/session editor/controls",
+    "editor/panels": "link ui face/pose editor/session editor/controls editor/pose",
     "editor/page": "link ui editor/session editor/controls",
     "editor/canvas/model": "link face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
@@ -115,8 +116,8 @@ USED: dict[str, str] = {
         "editor/canvas/scene editor/canvas/input"
     ),
     "editor": (
-        "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas editor/scan "
-        "editor/scan/data"
+        "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas editor/pose "
+        "editor/scan editor/scan/data"
     ),
 }
 ALLOWED = {folder: set(used.split()) for folder, used in USED.items()}

@@ -433,7 +433,7 @@ def test_a_recast_without_what_is_held_is_refused_and_with_it_alone_is_not(
     for message in messages:
         session.receive("a", message, 0.0)
         session.tick(pause)
-    faces, expressions = session.names_held()
+    faces, expressions, _ = session.names_held()
     rest = ["neutral", *(name for name in cast.expressions if name.startswith("eyeLook"))]
     before = session.tick(pause)
     for name in faces:

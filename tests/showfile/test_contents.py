@@ -2,6 +2,7 @@
 
 import contextlib
 import zlib
+from collections.abc import Callable
 from dataclasses import fields, replace
 
 import msgspec
@@ -13,21 +14,24 @@ from hypothesis.extra.numpy import arrays
 
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.albedo import Albedo
+from omote.model.body.pose_recipe import Arm, Leg, PoseRecipe
 from omote.model.cast import TRAITS, Cast, Look
 from omote.model.space.complexion import PALE
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.gain import GAIN_REGIONS, Gain
 from omote.showfile import contents
-from omote.showfile.changes import content_key
+from omote.showfile.changes import Kind, content_key
 from omote.showfile.contents import (
     ContentError,
     content_kind,
     pack_expression,
     pack_face,
+    pack_pose,
     read_albedo,
     unpack_expression,
     unpack_face,
+    unpack_pose,
 )
 
 numbers = st.one_of(st.just(0.0), st.just(0.0), st.just(-0.0), st.floats(-1e6, 1e6))
@@ -179,13 +183,30 @@ def packed(document: object) -> bytes:
     return b"OMOC\x01" + zlib.compress(msgspec.msgpack.encode(document))
 
 
-@pytest.mark.parametrize("kind", ["expression", "face"])
-def test_one_kind_is_not_taken_for_the_other(kind: str) -> None:
-    face = pack_face(Face("a", np.zeros((3, 3))), Look())
-    with pytest.raises(ContentError, match="is a face; expected an expression"):
-        unpack_expression(face)
-    with pytest.raises(ContentError, match="is an expression; expected a face"):
-        unpack_face(pack_expression(simple()), "a")
+def test_one_kind_is_not_taken_for_the_other() -> None:
+    packed: dict[Kind, bytes] = {
+        "face": pack_face(Face("a", np.zeros((3, 3))), Look()),
+        "expression": pack_expression(simple()),
+        "pose": pack_pose(PoseRecipe(hips=(0.0, -0.5, 0.0))),
+    }
+    unpack: dict[Kind, Callable[[bytes], object]] = {
+        "face": lambda data: unpack_face(data, "a"),
+        "expression": unpack_expression,
+        "pose": unpack_pose,
+    }
+    for kind, data in packed.items():
+        assert content_kind(data) == kind
+        for other in unpack.keys() - {kind}:
+            with pytest.raises(ContentError, match=f"of another kind: {kind}; expected an? {other}"):
+                unpack[other](data)
+
+
+@given(st.floats(-200.0, 200.0), st.floats(-1.0, 1.5), st.floats(-3.0, 3.0))
+def test_a_pose_comes_back_exactly_and_as_the_same_bytes(degrees: float, curl: float, legs: float) -> None:
+    arm = Arm(raised=degrees, wrist=(0.0, degrees), curls=(0.0, curl, 0.0, 0.0, 1.0))
+    recipe = PoseRecipe(hips=(0.0, legs, 0.0), head=(degrees, 0.0, 0.0), left=arm, right_leg=Leg(at=(legs, 0.0, 0.0)))
+    assert unpack_pose(pack_pose(recipe)) == recipe
+    assert pack_pose(unpack_pose(pack_pose(recipe))) == pack_pose(recipe)
 
 
 @given(st.data())

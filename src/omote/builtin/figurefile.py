@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any, Literal
 
 import msgspec
@@ -29,7 +30,7 @@ from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
 from omote.model.body.garment import Garment
 from omote.model.body.pose import STAND, Pose
-from omote.model.body.pose_recipe import PoseRecipe, pose_of
+from omote.model.body.pose_recipe import NamedPose, pose_of
 from omote.model.body.skeleton import Skeleton
 
 FIGURE_FORMAT = 2
@@ -39,7 +40,7 @@ PLACES = ("positions", "edge", "joints", "ends")
 Arrays = Mapping[str, NDArray[Any]]
 
 
-def figures_of(arrays: Arrays, recipes: Iterable[PoseRecipe]) -> Figures:
+def figures_of(arrays: Arrays, recipes: Iterable[NamedPose]) -> Figures:
     """The figures that the arrays hold; ValueError or KeyError where they are not of this version.
 
     arrays: of figures.npz; recipes: of the poses beside the stand.
@@ -65,20 +66,23 @@ def figures_of(arrays: Arrays, recipes: Iterable[PoseRecipe]) -> Figures:
         uv_rows=arrays["uv_rows"],
         skirt=arrays["skirt"],
     )
+    written = {recipe.name: recipe for recipe in recipes}
     bodies = {name: _body(arrays, name) for name in about["bodies"]}
     garments = {name: _garment(arrays, name, label) for name, label in about["garments"]}
-    return Figures(space, bodies, _poses(recipes, space), garments)
+    return Figures(space, bodies, _poses(written.values(), space), garments, MappingProxyType(written))
 
 
-def read_poses(text: bytes) -> list[PoseRecipe]:
+def read_poses(text: bytes) -> list[NamedPose]:
     """The poses of a TOML text, a table `pose` for each; ValueError where it holds something else."""
-    return msgspec.toml.decode(text, type=dict[Literal["pose"], list[PoseRecipe]])["pose"]
+    return msgspec.toml.decode(text, type=dict[Literal["pose"], list[NamedPose]])["pose"]
 
 
-def _poses(recipes: Iterable[PoseRecipe], space: FigureSpace) -> dict[str, Pose]:
+def _poses(recipes: Iterable[NamedPose], space: FigureSpace) -> dict[str, Pose]:
     """The stand first, then all others."""
     stand = Pose(STAND, np.zeros((len(space.skeleton.names), 3)))
-    return {STAND: stand} | {recipe.name: pose_of(recipe, space.skeleton) for recipe in recipes}
+    return {STAND: stand} | {
+        recipe.name: pose_of(recipe, space.skeleton, recipe.name, recipe.label) for recipe in recipes
+    }
 
 
 def _body(arrays: Arrays, name: str) -> Body:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from omote.model.body.pose_regions import check_pose_region
 from omote.model.known_names import PlayRegion, check_play_region
@@ -215,14 +215,30 @@ def _is_beyond(angle: object, limit: float) -> bool:
     return isinstance(angle, float) and math.isfinite(angle) and abs(angle) > limit
 
 
-def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
-    """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
+class NamesHeld(NamedTuple):
+    """Names that the cast must not lose; channels are expressions too."""
+
+    faces: frozenset[str] = frozenset()
+    expressions: frozenset[str] = frozenset()
+    poses: frozenset[str] = frozenset()
+
+    def with_others(self, *others: NamesHeld) -> NamesHeld:
+        """These names and those of others."""
+        return NamesHeld(*(frozenset().union(*names) for names in zip(self, *others, strict=True)))
+
+
+def names_held(snapshot: Snapshot) -> NamesHeld:
+    """The names that a snapshot cannot be played without."""
     given = channels_given(snapshot.macros, snapshot.mappings.kept)
     channels = frozenset(snapshot.channels) | names_driven(snapshot.layers) | given
     if snapshot.easing_to_rest is not None:
         channels |= frozenset(snapshot.easing_to_rest.channels)
     expressions = frozenset[str]().union(*map(axis_names, (snapshot.expression, *snapshot.regions.values())))
-    return axis_names(snapshot.face) | {snapshot.home.face}, expressions | channels
+    figure = snapshot.figure
+    poses = () if figure is None else map(axis_names, (figure.pose, *figure.regions.values()))
+    return NamesHeld(
+        axis_names(snapshot.face) | {snapshot.home.face}, expressions | channels, frozenset[str]().union(*poses)
+    )
 
 
 def axis_names(axis: Axis) -> frozenset[str]:

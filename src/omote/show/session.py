@@ -10,7 +10,7 @@ import msgspec
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import names_held_by
-from omote.perform.snapshot import Playable
+from omote.perform.snapshot import NamesHeld, Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
 from omote.show.clips.show_clips import NO_WORK, ShowClips
 from omote.show.crew.members import Member, Members
@@ -378,12 +378,11 @@ class ShowSession:
         self.recorder.note_recast(cast.digest)
         return CastChanged(self.revision, cast.digest)
 
-    def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
-        """The faces and the expressions that the cast must not lose: they are on air or in preview, called or going."""
-        faces, expressions = names_held_by(self.scene.snapshot())
+    def names_held(self) -> NamesHeld:
+        """The names that the cast must not lose: they are on air or in preview, called or going."""
+        held = names_held_by(self.scene.snapshot())
         preview = self.preview.snapshot()
-        others = (frozenset[str](), frozenset[str]()) if preview is None else names_held_by(preview.scene)
-        return faces | others[0], expressions | others[1]
+        return held if preview is None else held.with_others(names_held_by(preview.scene))
 
     def take_keep_requests(self) -> list[KeepRequest]:
         """Returns and clears the consoles' requests to keep something."""

@@ -7,11 +7,11 @@ from typing import Literal
 
 import msgspec
 
-Kind = Literal["expression", "face"]
+Kind = Literal["expression", "face", "pose"]
 
 
 class Item(msgspec.Struct, frozen=True):
-    """An own expression or face: its name (for ever, a key of the cast), what people read, its place in palettes.
+    """An own expression, face or pose: its name (for ever, a key of the cast), what people read, its place in palettes.
 
     head: the revision that plays, 0 for none yet; deleted items stay, and can come back.
     """

@@ -1,4 +1,4 @@
-"""Packs own expressions and faces as bytes (contents) for storage and the workshop, named by their hash.
+"""Packs own expressions, faces and poses as bytes (contents) for storage and the workshop, named by their hash.
 
 `OMOC`, a version, then zlib over MessagePack: arrays little-endian, an expression's as float64 so that it comes back
 exactly, and only the rows that move; a face's as float32, as faces are kept; the picture on its skin is a PNG. The same
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.albedo import SIDES, Albedo
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.cast import Look
 from omote.model.space.complexion import PALE, ComplexionNumbers, check_complexion
 from omote.model.space.expression import Expression
@@ -82,12 +83,31 @@ class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     albedo: bytes | None = None
 
 
-_Content = _Expression | _Face
+_Content = _Expression | _Face | PoseRecipe
 
 
 def content_kind(data: bytes, /) -> Kind:
-    """The kind of a content (expression or face); ContentError for invalid bytes."""
-    return "face" if isinstance(_decompress(data), _Face) else "expression"
+    """The kind of a content; ContentError for invalid bytes."""
+    return _kind_of(_decompress(data))
+
+
+def _kind_of(content: _Content) -> Kind:
+    if isinstance(content, PoseRecipe):
+        return "pose"
+    return "face" if isinstance(content, _Face) else "expression"
+
+
+def pack_pose(recipe: PoseRecipe, /) -> bytes:
+    """Packs a pose: its recipe, which is all of it."""
+    return _compress(recipe)
+
+
+def unpack_pose(data: bytes, /) -> PoseRecipe:
+    """Unpacks a pose; ContentError for invalid bytes."""
+    packed = _decompress(data)
+    if not isinstance(packed, PoseRecipe):
+        raise ContentError(f"this content is of another kind: {_kind_of(packed)}; expected a pose")
+    return packed
 
 
 def pack_expression(expression: Expression, /) -> bytes:
@@ -117,7 +137,7 @@ def unpack_expression(data: bytes, /) -> Expression:
     """
     packed = _decompress(data)
     if not isinstance(packed, _Expression):
-        raise ContentError("this content is a face; expected an expression")
+        raise ContentError(f"this content is of another kind: {_kind_of(packed)}; expected an expression")
     ears = packed.ears or _dense(np.zeros((2, 3)), DOUBLE)
     head = packed.head or _dense(np.zeros(3), DOUBLE)
     _refuse_too_many(
@@ -160,7 +180,7 @@ def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
     """
     packed = _decompress(data)
     if not isinstance(packed, _Face):
-        raise ContentError("this content is an expression; expected a face")
+        raise ContentError(f"this content is of another kind: {_kind_of(packed)}; expected a face")
     _refuse_too_many(packed.positions, *packed.parts.values())
     try:
         parts = {part: _fill(points, dtype=SINGLE) for part, points in packed.parts.items()}

@@ -6,11 +6,12 @@ import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import get_args
 
 import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.recipes.recipe import KEY, AnyRecipe, sources
 from omote.perform.name_lookup import find_name, fold
 from omote.showfile.authored_rows import read_all, read_contents
 from omote.showfile.backup import backup_paths
@@ -126,7 +127,7 @@ def _check_authored(inspection: Inspection) -> Iterator[tuple[bool, str]]:
     wrong = [*_wrong_revisions(inspection), *_wrong_steps(inspection)]
     counts = (
         f"{sum(item.kind == kind and not item.deleted for item in stored.items)} own {kind}s"
-        for kind in ("face", "expression")
+        for kind in reversed(get_args(Kind))
     )
     yield True, f"{', '.join(counts)}, {len(stored.revisions)} revisions"
     documents = (f"{len(named)} of kind {kind}" for kind, named in sorted(stored.documents.items()))
@@ -171,7 +172,7 @@ def _is_step(item: int, editor: str, draft: Draft) -> bool:
 
 def _wrong_recipe(data: bytes, what: str, contents: Mapping[str, bytes]) -> Iterator[str]:
     try:
-        recipe: Recipe | FaceRecipe = msgspec.json.decode(data, type=Recipe | FaceRecipe)
+        recipe: AnyRecipe = msgspec.json.decode(data, type=AnyRecipe)
     except msgspec.DecodeError as error:
         yield f"the recipe of {what} cannot be read: {explain_error(error)}"
         return

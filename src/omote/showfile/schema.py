@@ -127,9 +127,19 @@ CREATE TABLE document (
     PRIMARY KEY (kind, name)
 ) STRICT;
 """
-MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS, _ALBEDOS, _DOCUMENTS)
+# Items may be poses too. The constraint is changed in the schema's text, as SQLite advises for what changes no row: a
+# table made anew would have to take the rows of all tables along that refer to it.
+_POSES = """
+PRAGMA writable_schema = ON;
+UPDATE sqlite_schema SET sql = replace(sql, '(''expression'', ''face'')', '(''expression'', ''face'', ''pose'')')
+    WHERE type = 'table' AND name = 'item';
+PRAGMA writable_schema = RESET;
+"""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS, _ALBEDOS, _DOCUMENTS, _POSES)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
+DOCUMENTS_SINCE = 8
+"""The first schema with one table of documents."""
 AUTHORED_SINCE = 2
 """The first schema with authored work."""
 
@@ -164,6 +174,14 @@ def version_of(connection: sqlite3.Connection, path: Path) -> int:
     return int(version)
 
 
+def _move_documents(connection: sqlite3.Connection) -> None:
+    """Moves what earlier tables hold into the one of documents."""
+    for document in list(read_earlier_documents(connection)):
+        put_row(connection, document)
+    for table in EARLIER_TABLES:
+        connection.execute(f"DROP TABLE {table}")
+
+
 def migrate(connection: sqlite3.Connection, version: int) -> None:
     """Brings a file up to the newest schema, tables and documents, in one transaction.
 
@@ -177,10 +195,8 @@ def migrate(connection: sqlite3.Connection, version: int) -> None:
         connection.executescript(
             f"BEGIN IMMEDIATE; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {SCHEMA_VERSION};{steps}"
         )
-        for document in list(read_earlier_documents(connection)):
-            put_row(connection, document)
-        for table in EARLIER_TABLES:
-            connection.execute(f"DROP TABLE {table}")
+        if version < DOCUMENTS_SINCE:
+            _move_documents(connection)
         connection.commit()
         if version == 0:
             connection.execute("VACUUM")  # leaves no pages behind of tables that a new file never had

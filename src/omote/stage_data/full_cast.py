@@ -15,7 +15,7 @@ from omote.builtin import load_cast
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.recipes.recipe import KEY, AnyRecipe, FaceRecipe, sources
 from omote.model.space.expression import Title
 from omote.model.space.face_fit import fit
 from omote.perform.name_lookup import find_name
@@ -126,7 +126,7 @@ def free_faces(stored: Stored, contents: Mapping[str, bytes], /) -> frozenset[st
         if content in above or read_albedo(contents.get(content, b"")) is not None:
             return False
         below = above | {content}
-        made = [msgspec.json.decode(recipe, type=Recipe | FaceRecipe) for recipe in recipes.get(content, ())]
+        made = [msgspec.json.decode(recipe, type=AnyRecipe) for recipe in recipes.get(content, ())]
         return bool(made) and all(
             isinstance(recipe, FaceRecipe)
             and not recipe.points

@@ -13,19 +13,21 @@ import msgspec
 
 from omote.model.body.body import Body
 from omote.model.body.pose import Pose
+from omote.model.body.pose_recipe import pose_of
 from omote.model.cast import Cast
-from omote.model.known_names import NEUTRAL
+from omote.model.known_names import NEUTRAL, KnownNames
 from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression, Title
 from omote.perform.name_lookup import OWN
 from omote.show.cast_documents import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind
-from omote.showfile.contents import unpack_expression, unpack_face
+from omote.showfile.contents import unpack_expression, unpack_face, unpack_pose
 from omote.stage_data.assets import expression_document
+from omote.stage_data.figure_documents import pose_document
 
 
 class Own(msgspec.Struct, frozen=True):
-    """An own face or expression as it plays; content: the key of its bytes."""
+    """An own face, expression or pose as it plays; content: the key of its bytes."""
 
     kind: Kind
     name: str
@@ -89,7 +91,7 @@ class PlayingExpressions(Mapping[str, Expression]):
 class PlayingCast:
     """The built-in cast and own items beside it; made by `build_playing_cast`, plays as a cast does.
 
-    expressions: built-in and own; `faces` and `expression_sources`: for each name its source.
+    expressions, poses: built-in and own; `faces` and `expression_sources`: for each name its source.
     """
 
     base: Cast
@@ -97,6 +99,7 @@ class PlayingCast:
     faces: Mapping[str, str]
     expressions: PlayingExpressions
     expression_sources: Mapping[str, str]
+    poses: Mapping[str, Pose]
 
     @cached_property
     def titles(self) -> Mapping[str, Title]:
@@ -108,11 +111,6 @@ class PlayingCast:
     def face_labels(self) -> Mapping[str, str]:
         """What the own faces are called."""
         return MappingProxyType({item.name: item.label for item in self.own if item.kind == "face"})
-
-    @property
-    def poses(self) -> Mapping[str, Pose]:
-        """The poses that can be called."""
-        return self.base.poses
 
     @property
     def bodies(self) -> Mapping[str, Body]:
@@ -152,9 +150,10 @@ def build_playing_cast(
     """
     faces = {name: name for name in base.faces}
     expressions = {name: name for name in base.expressions}
+    poses = {name: name for name in base.poses}
     keys: dict[str, str] = {}
     for item in own:
-        names = faces if item.kind == "face" else expressions
+        names = {"face": faces, "expression": expressions, "pose": poses}[item.kind]
         if item.name in names:
             raise ValueError(f"there are two {item.kind}s named {item.name!r}; expected another name for one of them")
         names[item.name] = item.source
@@ -167,7 +166,9 @@ def build_playing_cast(
     for item in own:
         if check and item.content not in played:
             _check_content(base, item, contents, playing_expressions)
-    return PlayingCast(base, own, MappingProxyType(faces), playing_expressions, MappingProxyType(expressions))
+    sources = MappingProxyType(faces), playing_expressions, MappingProxyType(expressions)
+    own_poses = {item.name: _own_pose(base, item, contents) for item in own if item.kind == "pose"}
+    return PlayingCast(base, own, *sources, MappingProxyType(KnownNames("pose", {**base.poses, **own_poses})))
 
 
 def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
@@ -175,7 +176,8 @@ def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
     own = cast.own if isinstance(cast, PlayingCast) else ()
     base = cast.base if isinstance(cast, PlayingCast) else cast
     expressions = {name: title.label for name, title in base.titles.items()}
-    labels: dict[Kind, dict[str, str]] = {"face": {}, "expression": expressions}
+    poses = {name: pose.label for name, pose in base.poses.items()}
+    labels: dict[Kind, dict[str, str]] = {"face": {}, "expression": expressions, "pose": poses}
     for item in own:
         labels[item.kind][item.name] = item.label
     return labels
@@ -193,9 +195,14 @@ def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, Fa
     playing: the cast that plays; built_in: the manifest of the built-in cast.
     """
     own = [item for item in playing.own if item.kind == "face" and item.content in faces]
+    figures = built_in.figures
+    if figures is not None:
+        poses = [pose_document(playing.poses[item.name]) for item in playing.own if item.kind == "pose"]
+        figures = msgspec.structs.replace(figures, poses=[*figures.poses, *poses])
     return msgspec.structs.replace(
         built_in,
         digest=playing.digest,
+        figures=figures,
         faces=[*built_in.faces, *(_face_document(item, faces[item.content]) for item in own)],
         expressions=[*built_in.expressions, *(_document(playing, e) for e in playing.own if e.kind == "expression")],
     )
@@ -211,12 +218,21 @@ def check_fit(neutral: Expression, expression: Expression) -> Expression:
 
 def _check_content(base: Cast, own: Own, contents: Mapping[str, bytes], expressions: PlayingExpressions) -> None:
     """Unpacks an item's content; ValueError where it does not fit the cast, KeyError where it is missing."""
+    if own.kind == "pose":
+        return  # made with the cast
     if own.kind == "expression":
         expressions.unpack(own.content)
         return
     count = len(unpack_face(contents[own.content], own.name)[0].positions)
     if count != base.space.vertex_count:
         raise ValueError(f"the face has {count} vertices; expected the {base.space.vertex_count} of this cast")
+
+
+def _own_pose(base: Cast, own: Own, contents: Mapping[str, bytes]) -> Pose:
+    """An own pose; ValueError where no figure of the cast can do it, KeyError where its content is missing."""
+    if base.figures is None:
+        raise ValueError("this cast has no figures; bake it again")
+    return pose_of(unpack_pose(contents[own.content]), base.figures.space.skeleton, own.name, own.label)
 
 
 def _face_document(own: Own, document: FaceDocument) -> FaceDocument:

@@ -14,7 +14,7 @@ from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Refusal
 from tools.messages import editing_module
 
-WIRE = (9, "14cf31d4f6c372e9")
+WIRE = (10, "c39d3dc2eb49518a")
 """The version of the link, and a fingerprint of what its messages hold."""
 
 

@@ -274,4 +274,4 @@ def test_a_solve_that_ends_out_of_range_is_refused(harness: EditHarness) -> None
 def test_all_steps_in_the_file_can_be_read(harness: EditHarness) -> None:
     harness.ask("ann", wire.SetPulls, 1, PULLED)
     assert all(isinstance(read_recipe(edit.recipe), Recipe) for edit in harness.tables.edits.values())
-    assert len(EDITS) == 9
+    assert len(EDITS) == 10

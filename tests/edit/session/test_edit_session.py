@@ -20,7 +20,7 @@ from omote.edit.session.draft_queue import MOST_WAITING
 from omote.edit.session.edit_session import EditorReply, EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
-from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull
+from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull, Recipe
 from omote.show.access.people_list import Visitor
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import ShowFile, open_show
@@ -557,6 +557,7 @@ class Authors(RuleBasedStateMachine):
     def _edit(self, kind: int, state: wire.DraftState, amount: float) -> tuple[Any, ...]:
         if isinstance(state.recipe, FaceRecipe):
             return wire.SetFace, state.item, FaceRecipe({"broad": amount, "long": 1.0 - amount}), "mix"
+        assert isinstance(state.recipe, Recipe)
         vectors = [(amount / 10, 0.0, 1.0), *[REST] * (len(state.recipe.net) - 1)]
         edits: list[tuple[Any, ...]] = [
             (wire.SetVectors, state.item, vectors, "nudge"),
@@ -575,6 +576,7 @@ class Authors(RuleBasedStateMachine):
         if isinstance(recipe, FaceRecipe):
             assert recipe.base == {"broad": amount, "long": 1.0 - amount}
             return
+        assert isinstance(recipe, Recipe)
         assert {
             0: recipe.vectors[0] == (amount / 10, 0.0, 1.0),
             1: recipe.vectors[0] == (amount / 10, 0.01, 1.0),

@@ -1,12 +1,26 @@
 """Every message of an editor has an answer, and waits where it must."""
 
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
+from omote.builtin import load_figures
+from omote.edit.compute.order_runner import OrderRunner
 from omote.edit.protocol import messages as wire
+from omote.edit.protocol.orders import Bake
 from omote.edit.session import drafts
+from omote.edit.session.items import own_things
 from omote.edit.session.requests import ANSWERS, queue_key
+from omote.model.body.pose import STAND
+from omote.model.body.pose_recipe import PoseRecipe, pose_of
 from omote.model.cast import Cast
+from omote.perform.performer import Performer
+from omote.perform.snapshot import names_held
 from omote.show.objects.link import Cancel
+from omote.stage_data.playing_cast import PlayingCast, build_playing_cast
 from tests.authoring import EditHarness
 
 
@@ -64,3 +78,51 @@ def test_new_things_that_cannot_be_are_refused(
     harness.greet("ann")
     assert sentence in harness.ask("ann", request_type, *arguments).reason
     assert harness.tables.stored().items == ()
+
+
+def played(harness: EditHarness) -> PlayingCast:
+    """The cast with what the show file holds now."""
+    contents: Mapping[str, bytes] = harness.tables.contents
+    return build_playing_cast(harness.cast, own_things(harness.session.authored.state), contents)
+
+
+def test_an_own_pose_is_made_changed_undone_saved_and_plays(cast: Cast) -> None:
+    cast = replace(cast, figures=load_figures())
+    harness = EditHarness(cast)
+    harness.make_baked = OrderRunner(cast).run
+    harness.greet("ann")
+    draft = harness.ask("ann", wire.CreatePose, "Pointing", STAND)
+    assert draft.recipe == PoseRecipe()
+    pointing = PoseRecipe(trunk=(10.0, 0.0, 0.0), hips=(0.0, -0.1, 0.0))
+    changed = harness.ask("ann", wire.SetPose, draft.item, pointing, "trunk")
+    assert (changed.recipe, changed.undo, changed.dirty) == (pointing, 1, True)
+    assert harness.ask("ann", wire.Undo, draft.item).recipe == PoseRecipe()
+    assert harness.ask("ann", wire.Redo, draft.item).recipe == pointing
+    assert "pointing" not in played(harness).poses
+    harness.ask("ann", wire.Save, draft.item, "")
+    playing = played(harness)
+    own = playing.poses["pointing"]
+    wanted = pose_of(pointing, load_figures().space.skeleton, "pointing", "Pointing")
+    np.testing.assert_array_equal(own.turns, wanted.turns)
+    assert own.label == "Pointing"
+    performer = Performer(playing)
+    performer.call_pose("pointing", seconds=1.0)
+    figure = performer.advance(1.0).figure
+    assert figure is not None
+    assert figure.poses == {"pointing": 1.0}
+    held = names_held(performer.snapshot())
+    assert held.poses == {"pointing"}
+    again = harness.ask("ann", wire.CreatePose, "Pointing more", harness.tables.items[draft.item].name)
+    assert again.recipe == pointing
+
+
+def test_a_pose_that_no_joint_can_do_is_refused(cast: Cast) -> None:
+    cast = replace(cast, figures=load_figures())
+    harness = EditHarness(cast)
+    harness.make_baked = OrderRunner(cast).run
+    harness.greet("ann")
+    draft = harness.ask("ann", wire.CreatePose, "Bad", STAND)
+    nowhere = PoseRecipe(hips=(math.nan, 0.0, 0.0))
+    with pytest.raises(ValueError, match="travel of pose"):
+        OrderRunner(cast).run(Bake(nowhere, {}))
+    assert isinstance(harness.ask("ann", wire.SetPulls, draft.item, []), wire.EditRefused)

@@ -27,12 +27,12 @@ def test_a_recipe_with_its_sides_changed_is_the_mirror_image(
     one: Arm, two: Arm, first: Leg, second: Leg, bend: tuple[float, float, float]
 ) -> None:
     forward, left, lean = bend
-    recipe = PoseRecipe("one", trunk=bend, left=one, right=two, left_leg=first, right_leg=second)
+    recipe = PoseRecipe(trunk=bend, left=one, right=two, left_leg=first, right_leg=second)
     mirrored = PoseRecipe(
-        "one", trunk=(forward, -left, -lean), left=two, right=one, left_leg=second, right_leg=first
+        trunk=(forward, -left, -lean), left=two, right=one, left_leg=second, right_leg=first
     )  # fmt: skip
-    pose = pose_of(recipe, SKELETON)
-    other = pose_of(mirrored, SKELETON)
+    pose = pose_of(recipe, SKELETON, "one")
+    other = pose_of(mirrored, SKELETON, "one")
     np.testing.assert_allclose(other.turns, pose.turns[SKELETON.mirror] * -ACROSS, atol=1e-9)  # turns are axial
     np.testing.assert_allclose(other.feet, pose.feet[::-1] * ACROSS, atol=1e-12)
     np.testing.assert_allclose(other.feet_turns, pose.feet_turns[::-1] * -ACROSS, atol=1e-9)

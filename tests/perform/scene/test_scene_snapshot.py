@@ -128,6 +128,7 @@ def test_what_rests_is_the_same_whatever_the_clock_says(cast: Cast) -> None:
 
 
 def test_all_names_in_use_are_held(cast: Cast) -> None:
-    faces, expressions = names_held_by(running(cast))
+    faces, expressions, poses = names_held_by(running(cast))
     assert faces == {"generic", "broad"}
     assert expressions == {"neutral", "jawOpen"}
+    assert poses == {"stand"}

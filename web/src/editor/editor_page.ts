@@ -3,7 +3,7 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
-import { onFileDrop } from "../ui/file_import";
+import { type ImportKind, onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
@@ -17,6 +17,7 @@ import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
 import { commandOf, type EditorCommand, type ViewKey } from "./page/keys";
+import type { PoseWork } from "./pose/pose_work";
 import { arePhotographs, comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
@@ -28,6 +29,7 @@ import "./page/notices_view";
 import "./panels/item_panels";
 import "./page/item_list";
 import "./page/tools";
+import "./pose/pose_work";
 import "./scan/photograph_dialog";
 import "./scan/scan_button";
 import "./scan/scan_dialog";
@@ -47,6 +49,7 @@ export class EditorPage extends EditorElement {
   /** Whether the face on the canvas is the one before a change of its mix. */
   @state() private making = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
+  @query("omote-pose-work") private figure!: PoseWork | null;
   @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
   @query("omote-scan, omote-photographs") private dialog!: { refuse(sentence: string): void } | null;
@@ -94,10 +97,11 @@ export class EditorPage extends EditorElement {
       <omote-item-list class="panel" .context=${context}
         @scan=${(event: CustomEvent<readonly File[]>) => this.#openScan(event.detail)}></omote-item-list>
       <main class="panel">
-        <omote-tools .context=${context} @view=${(event: CustomEvent<ViewKey>) => this.#view?.view(event.detail)}></omote-tools>
+        <omote-tools .context=${context} @view=${(event: CustomEvent<ViewKey>) => this.#look(event.detail)}></omote-tools>
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
-          ${this.loaded ? nothing : html`<omote-loading .faces=${store.face === null ? 1 + store.neighbours.length : 1}></omote-loading>`}
+          ${store.pose === null ? nothing : html`<omote-pose-work .context=${context}></omote-pose-work>`}
+          ${this.loaded || store.pose !== null ? nothing : html`<omote-loading .faces=${store.face === null ? 1 + store.neighbours.length : 1}></omote-loading>`}
           ${this.loaded && this.making ? html`<omote-making></omote-making>` : nothing}
           ${store.look === null && store.layerPreview.solo.size === 0 ? nothing : this.#looking()}
         </div>
@@ -132,8 +136,8 @@ export class EditorPage extends EditorElement {
 
   /** Takes in what is dropped; a head that is not of our topology is a scan. */
   async #receive(files: readonly File[]): Promise<void> {
-    const open = this.store.item?.kind ?? null;
-    const kind = open ?? this.library.kind;
+    const open = importable(this.store.item?.kind);
+    const kind = open ?? importable(this.library.kind) ?? "expression";
     const names = files.map(({ name }) => name);
     const coming = comingOf(names, open);
     if (coming === "scan") this.#openScan(files);
@@ -186,8 +190,14 @@ export class EditorPage extends EditorElement {
     else if (command.do === "search") this.library.focus();
     else if (command.do === "leave") this.#leave();
     else if (command.do === "tool") store.setOptions({ tool: command.tool });
-    else if (command.do === "view") this.#view?.view(command.view);
+    else if (command.do === "view") this.#look(command.view);
     else store.setOptions({ [command.do]: !store.options[command.do] });
+  }
+
+  /** Shows what is under work from a side. */
+  #look(key: ViewKey): void {
+    if (this.figure === null) this.#view?.view(key);
+    else this.figure.view(key);
   }
 
   #save(): void {
@@ -205,6 +215,9 @@ export class EditorPage extends EditorElement {
   }
 }
 
+/** What files can bring: poses come in with whole shows. */
+const importable = (kind: Kind | undefined): ImportKind | null => (kind === undefined || kind === "pose" ? null : kind);
+
 /** Documents are expressions; a head is what is under work. */
-const kindOf = (files: readonly File[], open: Kind): Kind =>
+const kindOf = (files: readonly File[], open: ImportKind): ImportKind =>
   files.some(({ name }) => name.toLowerCase().endsWith(".json")) ? "expression" : open;

@@ -414,6 +414,11 @@ export class DrawnCharacter {
     });
   }
 
+  /** Its figure, and the matrix from its metres to those of the stage; undefined where heads are drawn alone. */
+  get placedFigure(): { figure: Figure; matrix: THREE.Matrix4 } | undefined {
+    return this.figure && { figure: this.figure, matrix: this.head.matrix };
+  }
+
   /** Frees its part of the GPU's memory. */
   dispose(blender: Blender): void {
     this.forget(this.head);

@@ -261,6 +261,11 @@ export class FaceView {
     return headBoxes(this.camera, this.characters);
   }
 
+  /** A character's figure, and the matrix from its metres to those of the stage; undefined while it is not here. */
+  figureOf(name: string): { figure: Figure; matrix: THREE.Matrix4 } | undefined {
+    return this.characters.get(name)?.placedFigure;
+  }
+
   /** The graphics context that the view draws with. */
   get context(): WebGL2RenderingContext {
     return this.renderer.getContext() as WebGL2RenderingContext;

@@ -125,6 +125,7 @@ export class Library {
   readonly expressions = new Map<string, ExpressionDocument>();
   private present: Manifest;
   private renewals = 0;
+  private shown = "";
   private sources = { faces: new Map<string, string>(), expressions: new Map<string, string>() };
   private readonly positioned = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
@@ -251,6 +252,16 @@ export class Library {
       const [space, bytes] = await Promise.all([this.figures(), fetchWithRetry(url, this.read)]);
       return readBody(decode(bytes) as BodyAsset, space);
     });
+  }
+
+  /** Makes a pose known that the cast has not, in place of the one that was shown before. */
+  showPose(name: string, pose: { readonly [what in keyof FigurePose]: ArrayLike<number> }): void {
+    if (this.shown !== name) (this.poses as Map<string, FigurePose>).delete(this.shown);
+    this.shown = name;
+    const [turns, travel, feet, feetTurns] = [pose.turns, pose.travel, pose.feet, pose.feetTurns].map((values) =>
+      Float32Array.from(values),
+    ) as [Float32Array, Float32Array, Float32Array, Float32Array];
+    (this.poses as Map<string, FigurePose>).set(name, { turns, travel, feet, feetTurns });
   }
 
   /** The poses of the cast, by name; none where it has no figures. */

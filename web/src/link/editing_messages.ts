@@ -1,9 +1,54 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 9;
+export const EDITING_VERSION = 10;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
+
+/**
+ * An arm, degrees: raised forward and spread to the side, which add up as the sides of a right angle do (both 90:
+ * up by 127 degrees, half forward, half aside); twist it inward about itself; elbow bends; forearm turns the palm
+ * inward and down (+) or up; wrist bends to the palm and to the thumb's side; shrug lifts the shoulder, reach brings
+ * it forward.
+ * curls: of thumb, index, middle, ring and little finger, -0.2 (stretched) to 1 (a fist); fan: fingers apart, -0.5 to
+ * 1.
+ */
+export type Arm = {
+  raised: number;
+  spread: number;
+  twist: number;
+  elbow: number;
+  forearm: number;
+  wrist: [number, number];
+  shrug: number;
+  reach: number;
+  curls: [number, number, number, number, number];
+  fan: number;
+};
+
+/**
+ * A leg: where its ankle is, leg lengths out, up and ahead of the stand; where its foot points, degrees: toes up,
+ * outward, and its inner edge up; knee: how far the knee points outward, degrees; toes bend up, degrees.
+ */
+export type Leg = { at: [number, number, number]; foot: [number, number, number]; knee: number; toes: number };
+
+/**
+ * A pose of any body.
+ * hips: where they go, leg lengths to the character's left, up and
+ * ahead; turn: of the hips; trunk: of the spine; head: of neck and head; each bent forward, turned to the character's
+ * left and leant to its left, degrees. left, right: arms; left_leg, right_leg.
+ */
+export type PoseRecipe = {
+  kind: "pose";
+  hips: [number, number, number];
+  turn: [number, number, number];
+  trunk: [number, number, number];
+  head: [number, number, number];
+  left: Arm;
+  right: Arm;
+  left_leg: Leg;
+  right_leg: Leg;
+};
 
 /**
  * A face made from faces (`compose_face`): a mix, regions from others, caricature, then handles.
@@ -116,6 +161,9 @@ export type CreateFace = {
   on_air: boolean;
 };
 
+/** A new pose, opened at once; start: the pose that it begins from (a built-in name, or `#` and a content key). */
+export type CreatePose = { type: "create_pose"; request: number; label: string; start: string };
+
 /** Opens an item: this editor's draft of it, made from its newest revision where there is none. */
 export type OpenItem = { type: "open_item"; request: number; item: number };
 
@@ -189,6 +237,9 @@ export type Flatten = { type: "flatten"; request: number; item: number };
 /** The whole recipe of a face. `what` goes into the history. */
 export type SetFace = { type: "set_face"; request: number; item: number; recipe: FaceRecipe; what: string };
 
+/** The whole recipe of a pose. `what` goes into the history. */
+export type SetPose = { type: "set_pose"; request: number; item: number; recipe: PoseRecipe; what: string };
+
 /** One step back in the draft. */
 export type Undo = { type: "undo"; request: number; item: number };
 
@@ -232,7 +283,7 @@ export type AskHistory = { type: "ask_history"; request: number; item: number };
  */
 export type ItemDocument = {
   id: number;
-  kind: "expression" | "face";
+  kind: "expression" | "face" | "pose";
   name: string;
   label: string;
   tags: string[];
@@ -317,7 +368,7 @@ export type DraftState = {
   type: "draft";
   request: number;
   item: number;
-  recipe: Recipe | FaceRecipe;
+  recipe: Recipe | FaceRecipe | PoseRecipe;
   content: string;
   undo: number;
   redo: number;
@@ -430,6 +481,7 @@ export type FromEditor =
   | Greet
   | CreateExpression
   | CreateFace
+  | CreatePose
   | OpenItem
   | CloseItem
   | DragPoints
@@ -442,6 +494,7 @@ export type FromEditor =
   | SetComplexion
   | Flatten
   | SetFace
+  | SetPose
   | Undo
   | Redo
   | Save

@@ -12,6 +12,7 @@ import msgspec
 from omote.edit.compute.layer_correction import LayerCorrection
 from omote.edit.protocol.messages import NetDocument, TangentsAsset
 from omote.edit.protocol.orders import Baked, Contents, EditOrder, Flat, Renet, Solve
+from omote.model.body.pose_recipe import PoseRecipe, pose_of
 from omote.model.cast import Cast
 from omote.model.controls.inverse_solve import solve_vectors
 from omote.model.controls.net_field import NetField, build_net_field
@@ -22,7 +23,7 @@ from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.expression import Expression
 from omote.show.wire import le_bytes
 from omote.showfile.changes import content_key
-from omote.showfile.contents import pack_expression, pack_face, unpack_expression, unpack_face
+from omote.showfile.contents import pack_expression, pack_face, pack_pose, unpack_expression, unpack_face
 
 _CACHED = 64
 """Unpacked contents and control nets that stay cached."""
@@ -51,6 +52,8 @@ class OrderRunner:
             return self._flatten(order)
         if isinstance(order.recipe, FaceRecipe):
             return self._bake_face(order.recipe, order.contents)
+        if isinstance(order.recipe, PoseRecipe):
+            return self._bake_pose(order.recipe)
         return self._bake(order.recipe, order.contents, with_net=order.with_net)
 
     def net_document(self, net: tuple[int, ...], /) -> NetDocument:
@@ -74,6 +77,13 @@ class OrderRunner:
         named = {source: self._face(source, contents) for source in sorted(sources(recipe))}
         composed = compose_face(self._cast.space, _DRAFT, recipe, named, atlas=self._cast.atlas)
         data = pack_face(composed.face, composed.look)
+        return Baked(recipe, content_key(data), {content_key(data): data})
+
+    def _bake_pose(self, recipe: PoseRecipe) -> Baked:
+        if self._cast.figures is None:
+            raise ValueError("this cast has no figures, so nothing can do a pose; bake the cast again")
+        pose_of(recipe, self._cast.figures.space.skeleton, _DRAFT)  # raises where no figure can do it
+        data = pack_pose(recipe)
         return Baked(recipe, content_key(data), {content_key(data): data})
 
     def _solve(self, order: Solve) -> Baked:

@@ -13,6 +13,7 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 import msgspec
 
+from omote.model.body.pose_recipe import Arm, Leg, PoseRecipe  # noqa: F401  (the same)
 from omote.model.fitting.doubt import DoubtKind
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
 from omote.model.space.complexion import ComplexionNumbers
@@ -22,7 +23,7 @@ from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F
 from omote.show.validation import name_escapes
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 9
+EDITING_VERSION = 10
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -92,6 +93,13 @@ class CreateFace(EditorRequest, frozen=True):
     label: Name
     base: dict[str, float]
     on_air: bool
+
+
+class CreatePose(EditorRequest, frozen=True):
+    """A new pose, opened at once; start: the pose that it begins from (a built-in name, or `#` and a content key)."""
+
+    label: Name
+    start: Name
 
 
 class OpenItem(DraftRequest, frozen=True):
@@ -171,6 +179,13 @@ class SetFace(RecipeChange, frozen=True):
     """The whole recipe of a face. `what` goes into the history."""
 
     recipe: FaceRecipe
+    what: Text
+
+
+class SetPose(RecipeChange, frozen=True):
+    """The whole recipe of a pose. `what` goes into the history."""
+
+    recipe: PoseRecipe
     what: Text
 
 
@@ -322,7 +337,7 @@ class DraftState(Message, frozen=True, tag="draft"):
 
     request: int
     item: int
-    recipe: Recipe | FaceRecipe
+    recipe: Recipe | FaceRecipe | PoseRecipe
     content: str
     undo: int
     redo: int

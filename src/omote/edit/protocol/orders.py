@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from omote.edit.protocol.messages import NetDocument
-from omote.model.recipes.recipe import FaceRecipe, Recipe, Vector
+from omote.model.recipes.recipe import AnyRecipe, Recipe, Vector
 
 Contents = dict[str, bytes]
 """Bytes (`showfile.contents`) of authored faces and expressions by key: all that an order's recipe names."""
@@ -14,7 +14,7 @@ Contents = dict[str, bytes]
 class Bake(msgspec.Struct, frozen=True, tag=True):
     """Bakes a recipe into an expression or face; answered with `Baked`; with_net: with the document of its net."""
 
-    recipe: Recipe | FaceRecipe
+    recipe: AnyRecipe
     contents: Contents
     with_net: bool = False
 
@@ -54,7 +54,7 @@ class Baked(msgspec.Struct, frozen=True):
     """The recipe as it is now, the key of its content, every content made on the way by key, the net if it is another
     than before, and how far the worst point missed its target, metres."""
 
-    recipe: Recipe | FaceRecipe
+    recipe: AnyRecipe
     key: str
     contents: Contents
     net: NetDocument | None = None

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from omote.model.cast import Look
 from omote.model.recipes.compose_face import choose_look
-from omote.model.recipes.recipe import FaceRecipe, GainRow, Recipe, Vector
+from omote.model.recipes.recipe import AnyRecipe, FaceRecipe, GainRow, Recipe, Vector
 from omote.model.sculpting.caricature import MOST_AMOUNT
 from omote.model.space.complexion import MOST
 from omote.model.space.gain import Gain, check_gain_region, validate_gains
@@ -52,14 +52,14 @@ class Bounds:
     hair: frozenset[str] = frozenset()
 
 
-def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
+def check_recipe(recipe: AnyRecipe, bounds: Bounds) -> None:
     """Validates a recipe; Refusal where a number is out of range, or something that it names does not exist.
 
     recipe: of an editor; bounds: what it may name.
     """
     if isinstance(recipe, FaceRecipe):
         _check_face(recipe, bounds)
-    else:
+    elif isinstance(recipe, Recipe):
         _check_expression(recipe, bounds)
 
 

@@ -17,7 +17,7 @@ from omote.edit.protocol.messages import (
 )
 from omote.edit.protocol.orders import Baked
 from omote.interchange.formats.error_reasons import explain_error
-from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.model.recipes.recipe import AnyRecipe
 from omote.show.access.access_role import HIGHEST, AccessRole, explain_missing_role, role_allows
 from omote.show.validation import Refusal
 from omote.show.wire import message_in
@@ -26,7 +26,7 @@ _encoder = msgspec.msgpack.Encoder()
 _from_editor: msgspec.msgpack.Decoder[FromEditor] = msgspec.msgpack.Decoder(Union[EDITOR_MESSAGES])  # noqa: UP007  (of a tuple)
 _to_editor: msgspec.msgpack.Decoder[ToEditor] = msgspec.msgpack.Decoder(ToEditor)
 _baked = msgspec.msgpack.Decoder(Baked)
-_recipe: msgspec.json.Decoder[Recipe | FaceRecipe] = msgspec.json.Decoder(Recipe | FaceRecipe)
+_recipe: msgspec.json.Decoder[AnyRecipe] = msgspec.json.Decoder(AnyRecipe)
 _json = msgspec.json.Encoder()
 
 
@@ -77,12 +77,12 @@ def decode_baked(data: bytes) -> Baked:
         raise Refusal(f"the workshop's answer cannot be read ({_reason(error)}): try again.") from error
 
 
-def write_recipe(recipe: Recipe | FaceRecipe) -> bytes:
+def write_recipe(recipe: AnyRecipe) -> bytes:
     """Encodes a recipe as the show file stores it (JSON); the same recipe gives the same bytes."""
     return _json.encode(recipe)
 
 
-def read_recipe(data: bytes) -> Recipe | FaceRecipe:
+def read_recipe(data: bytes) -> AnyRecipe:
     """Decodes a recipe that `write_recipe` wrote; Refusal for anything else."""
     try:
         return _recipe.decode(data)

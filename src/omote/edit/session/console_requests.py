@@ -129,7 +129,7 @@ def _label_apart(authored: Authored, item: Item, wanted: str) -> str:
 
 
 def _article(kind: Kind) -> str:
-    return "a face" if kind == "face" else "an expression"
+    return "an expression" if kind == "expression" else f"a {kind}"
 
 
 def _is_edited(authored: Authored, item: Item) -> bool:

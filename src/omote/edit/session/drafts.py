@@ -14,12 +14,17 @@ from omote.edit.protocol.validation import check_net, check_recipe, check_target
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.plan import Authored, Plan, Result
 from omote.edit.store.authored_state import AuthoredState, DraftKey
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe
+from omote.model.body.pose_recipe import PoseRecipe
+from omote.model.recipes.recipe import KEY, AnyRecipe, FaceRecipe, Recipe
 from omote.show.declaration import Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Draft, Edit, Item
 
-Shown = Recipe | FaceRecipe
+Shown = AnyRecipe
+MEANT: Mapping[type[Message], type[Shown]] = {wire.SetFace: FaceRecipe, wire.SetPose: PoseRecipe}
+"""Of which kind of recipe a change is; of an expression's where it does not stand here."""
+SAID: Mapping[type[Shown], str] = {FaceRecipe: "a face", PoseRecipe: "a pose", Recipe: "an expression"}
+"""What people read of each."""
 
 
 def open_item(authored: Authored, item: Item, editor: str) -> Plan:
@@ -65,9 +70,9 @@ def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
     authored: what is there; key: of the draft; message: the change of its recipe.
     """
     recipe = read_recipe(authored.state.shown_edit(key).recipe)
-    if isinstance(recipe, FaceRecipe) != isinstance(message, wire.SetFace):
-        kind, other = ("face", "an expression") if isinstance(recipe, FaceRecipe) else ("expression", "a face")
-        raise Refusal(f"item {key[0]} is {'a' if kind == 'face' else 'an'} {kind}, but what came is for {other}.")
+    meant = MEANT.get(type(message), Recipe)
+    if not isinstance(recipe, meant):
+        raise Refusal(f"item {key[0]} is {SAID[type(recipe)]}, but what came is for {SAID[meant]}.")
     order, what = EDITS[type(message)](authored, recipe, message)
     return Plan(order, lambda baked: _add_step(authored, key, baked, what))
 
@@ -78,8 +83,8 @@ def preview_layers(authored: Authored, key: DraftKey, wanted: wire.PreviewLayers
     authored: what is there; key: of the draft; wanted: the request.
     """
     recipe = read_recipe(authored.state.shown_edit(key).recipe)
-    if isinstance(recipe, FaceRecipe):
-        raise Refusal(f"item {key[0]} is a face: only expressions have layers.")
+    if not isinstance(recipe, Recipe):
+        raise Refusal(f"item {key[0]} is {SAID[type(recipe)]}: only expressions have layers.")
     if wanted.alone:
         recipe = Recipe(recipe.net, ((0.0, 0.0, 1.0),) * len(recipe.net))
     order = authored.bake(authored.resolve_and_check(replace(recipe, layers=tuple(wanted.layers))))
@@ -233,6 +238,10 @@ def _set_face(authored: Authored, _: FaceRecipe, wanted: wire.SetFace) -> Ordere
     return _bake_changed(authored, wanted.recipe, clean_text(wanted.what))
 
 
+def _set_pose(authored: Authored, _: PoseRecipe, wanted: wire.SetPose) -> Ordered:
+    return _bake_changed(authored, wanted.recipe, clean_text(wanted.what))
+
+
 def _bake_changed(authored: Authored, recipe: Shown, what: str) -> Ordered:
     return authored.bake(authored.resolve_and_check(recipe)), what
 
@@ -247,5 +256,6 @@ EDITS: Mapping[type[Message], Callable[[Authored, Any, Any], Ordered]] = {
     wire.SetComplexion: _set_complexion,
     wire.Flatten: _flatten,
     wire.SetFace: _set_face,
+    wire.SetPose: _set_pose,
 }
 """The order of each request that changes a recipe, and what the history says of it."""

@@ -14,7 +14,7 @@ from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.edit.store.content_store import ContentStore
 from omote.edit.store.sources import SourceResolver
 from omote.model.cast import Cast
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.recipes.recipe import KEY, AnyRecipe, Recipe, sources
 from omote.showfile.changes import Change, Item, Kind
 from omote.stage_data.assets import face_label
 
@@ -33,37 +33,45 @@ class Authored:
     bounds: Bounds
     net: tuple[int, ...]
 
-    def resolve_and_check(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
+    def resolve_and_check(self, recipe: AnyRecipe) -> AnyRecipe:
         """Resolves a recipe's sources and validates it; Refusal where it is invalid."""
         resolved = self.sources.resolve_recipe(recipe)
         check_recipe(resolved, self.bounds)
         return resolved
 
-    def bake(self, recipe: Recipe | FaceRecipe, *, with_net: bool = False) -> Bake:
+    def bake(self, recipe: AnyRecipe, *, with_net: bool = False) -> Bake:
         """The order that makes a recipe's expression or face.
 
         recipe: resolved; with_net: whether the document of its net is asked for.
         """
         return Bake(recipe, self.sources.contents(recipe), with_net and isinstance(recipe, Recipe))
 
-    def changes_to_keep(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
+    def changes_to_keep(self, recipe: AnyRecipe) -> tuple[Change, ...]:
         """The changes that store every content that the recipe refers to."""
         keys = sorted(source.removeprefix(KEY) for source in sources(recipe) if source.startswith(KEY))
         return tuple(change for key in keys for change in self.store.changes_to_keep(key))
 
     def labels(self, kind: Kind, *, but: int = 0) -> list[str]:
-        """The labels of the faces or the expressions that can be called; but: an item that does not count.
+        """The labels of the faces, the expressions or the poses that can be called; but: an item that does not count.
 
-        kind: faces or expressions.
+        kind: which of them.
         """
         own = [item for item in self.state.items.values() if item.kind == kind and not item.deleted and item.id != but]
-        titles = [title.label for title in self.base.titles.values()]
-        built_in = [face_label(name) for name in self.base.faces] if kind == "face" else titles
-        return [*built_in, *(item.label for item in own)]
+        built_in = {
+            "face": [face_label(name) for name in self.base.faces],
+            "expression": [title.label for title in self.base.titles.values()],
+            "pose": [pose.label for pose in self.base.poses.values()],
+        }
+        return [*built_in[kind], *(item.label for item in own)]
 
     def names(self) -> set[str]:
         """All names that are taken."""
-        return {*self.base.faces, *self.base.expressions, *(item.name for item in self.state.items.values())}
+        return {
+            *self.base.faces,
+            *self.base.expressions,
+            *self.base.poses,
+            *(item.name for item in self.state.items.values()),
+        }
 
 
 class KeepOutcome(msgspec.Struct, frozen=True):

@@ -13,7 +13,7 @@ from omote.edit.session.plan import Authored, Plan, Result
 from omote.edit.session.saving import Author
 from omote.edit.store.authored_state import DraftKey
 from omote.edit.store.on_air_recipes import OnAir, expression_recipe, face_recipe, recipe_on_air
-from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.model.recipes.recipe import AnyRecipe
 from omote.show.declaration import Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Item
@@ -52,7 +52,7 @@ def queue_key(message: Message, editor: str) -> DraftKey | None:
 
     message: the request; editor: who sends it.
     """
-    if isinstance(message, wire.CreateExpression | wire.CreateFace):
+    if isinstance(message, wire.CreateExpression | wire.CreateFace | wire.CreatePose):
         return 0, editor
     return (message.item, editor) if isinstance(message, wire.DraftRequest) else None
 
@@ -75,8 +75,16 @@ def _create_expression(context: RequestContext) -> Plan:
 def _create_face(context: RequestContext) -> Plan:
     authored = context.authored
     wanted = context.message
-    recipe: Recipe | FaceRecipe = face_recipe(context.on_air.faces if wanted.on_air else wanted.base, authored.sources)
+    recipe: AnyRecipe = face_recipe(context.on_air.faces if wanted.on_air else wanted.base, authored.sources)
     return saving.create(authored, "face", wanted.label, recipe, context.author.editor)
+
+
+def _create_pose(context: RequestContext) -> Plan:
+    authored = context.authored
+    wanted = context.message
+    return saving.create(
+        authored, "pose", wanted.label, authored.sources.pose_recipe(wanted.start), context.author.editor
+    )
 
 
 def _save(context: RequestContext) -> Plan | Result:
@@ -103,6 +111,7 @@ def _edit(context: RequestContext) -> Plan:
 ANSWERS: Mapping[type[Message], Callable[[RequestContext], Plan | Result]] = {
     wire.CreateExpression: _create_expression,
     wire.CreateFace: _create_face,
+    wire.CreatePose: _create_pose,
     wire.OpenItem: lambda context: drafts.open_item(context.authored, context.item, context.author.editor),
     wire.CloseItem: _close,
     **dict.fromkeys(drafts.EDITS, _edit),

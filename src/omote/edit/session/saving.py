@@ -13,7 +13,7 @@ from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.drafts import is_dirty
 from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
 from omote.edit.store.authored_state import DraftKey
-from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.model.recipes.recipe import AnyRecipe
 from omote.showfile.changes import Change, Draft, Edit, Item, Kind, Revision
 
 
@@ -39,7 +39,7 @@ def save(authored: Authored, item: Item, author: Author, request: int, note: str
     return Plan(order, lambda baked: _save_baked(authored, key, author, request, note, baked, on_air))
 
 
-def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceRecipe, editor: str) -> Plan:
+def create(authored: Authored, kind: Kind, label: str, recipe: AnyRecipe, editor: str) -> Plan:
     """Creates an unsaved item and the editor's draft of it.
 
     authored: what is there; kind, label: of the item; recipe: what the draft begins with; editor: whose.
@@ -60,9 +60,7 @@ def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceReci
     return Plan(authored.bake(recipe, with_net=True), finish)
 
 
-def keep(
-    authored: Authored, kind: Kind, label: str | None, recipe: Recipe | FaceRecipe, author: Author, ticket: str
-) -> Plan:
+def keep(authored: Authored, kind: Kind, label: str | None, recipe: AnyRecipe, author: Author, ticket: str) -> Plan:
     """Creates and saves an item in one step, so that it plays; label: None for a generated one.
 
     authored: what is there; kind: of the item; recipe: what it is made by; author: for the history; ticket: the

@@ -9,7 +9,7 @@ from typing import TypeVar
 from omote.edit.protocol.messages import NetDocument
 from omote.edit.protocol.orders import Bake, Baked, EditOrder
 from omote.edit.protocol.wire import write_recipe
-from omote.model.recipes.recipe import FaceRecipe, Recipe
+from omote.model.recipes.recipe import AnyRecipe, Recipe
 from omote.showfile.changes import Content
 
 PASSING = 2048
@@ -101,9 +101,9 @@ class ContentStore(Mapping[str, bytes]):
             return None
         return Baked(order.recipe, key, {}, net)
 
-    def net(self, recipe: Recipe | FaceRecipe) -> NetDocument | None:
+    def net(self, recipe: AnyRecipe) -> NetDocument | None:
         """The cached document of a recipe's net."""
-        return None if isinstance(recipe, FaceRecipe) else self._nets.get(recipe.net)
+        return self._nets.get(recipe.net) if isinstance(recipe, Recipe) else None
 
 
 def _remember(table: dict[Key, Value], key: Key, value: Value, most: int) -> None:

@@ -84,6 +84,7 @@ def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /)
     labels: dict[Kind, list[str]] = {
         "face": [*cast.faces],
         "expression": [title.label for title in cast.titles.values()],
+        "pose": [pose.label for pose in cast.poses.values()],
     }
     for item in items:
         labels[item.kind].append(item.label)

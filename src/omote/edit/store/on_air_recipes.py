@@ -9,7 +9,7 @@ from msgspec import structs
 
 from omote.edit.store.sources import SourceResolver
 from omote.model.known_names import NEUTRAL, PlayRegion
-from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
+from omote.model.recipes.recipe import AnyRecipe, FaceRecipe, Layer, Recipe
 from omote.model.space.head_regions import REGIONS_OF, Region
 from omote.perform.mix import combine
 from omote.perform.springs.cast_springs import without_springs
@@ -73,7 +73,7 @@ def neutral_recipe(net: tuple[int, ...]) -> Recipe:
     return Recipe(net=net, vectors=((0.0, 0.0, 1.0),) * len(net))
 
 
-def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: SourceResolver) -> Recipe | FaceRecipe:
+def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: SourceResolver) -> AnyRecipe:
     """The recipe of the face or the expression that is on air.
 
     kind: of the item; on_air: what shows; net: control points, rows of the skin; sources: resolve names.

@@ -6,18 +6,21 @@ from msgspec.structs import replace
 
 from omote.edit.store.authored_state import AuthoredState
 from omote.edit.store.content_store import ContentStore
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.cast import Cast
-from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
+from omote.model.recipes.recipe import KEY, AnyRecipe, Recipe, sources
 from omote.perform.limits import check_known
 from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
+from omote.showfile.contents import ContentError, unpack_pose
 
 
 class SourceResolver:
     """Resolves sources; the name of an authored item becomes the permanent key of what it plays."""
 
     def __init__(self, base: Cast, state: AuthoredState, store: ContentStore) -> None:
-        self._built_in = {"face": base.faces, "expression": base.expressions}
+        self._built_in = {"face": base.faces, "expression": base.expressions, "pose": base.poses}
+        self._poses = {} if base.figures is None else base.figures.recipes
         self._titles = {name: title.label for name, title in base.titles.items()}
         self._state = state
         self._store = store
@@ -39,12 +42,14 @@ class SourceResolver:
             raise Refusal(f"nothing of {own.label!r} has been saved yet: save it first.")
         return KEY + head.content
 
-    def resolve_recipe(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
+    def resolve_recipe(self, recipe: AnyRecipe) -> AnyRecipe:
         """The recipe with every source resolved."""
         if isinstance(recipe, Recipe):
             layers = tuple(replace(x, source=self.resolve("expression", x.source)) for x in recipe.layers)
             ground = None if recipe.ground is None else self.resolve("expression", recipe.ground)
             return replace(recipe, layers=layers, ground=ground)
+        if isinstance(recipe, PoseRecipe):
+            return recipe
         base: dict[str, float] = {}
         for source, weight in recipe.base.items():
             resolved = self.resolve("face", source)
@@ -66,7 +71,21 @@ class SourceResolver:
                 return self._state.items[item].label
         return self._titles.get(source, source[:12] if source.startswith(KEY) else source)
 
-    def contents(self, recipe: Recipe | FaceRecipe, *more: str) -> dict[str, bytes]:
+    def pose_recipe(self, source: str) -> PoseRecipe:
+        """What a pose was made from: an own one, one of the library, or the stand; Refusal for anything else.
+
+        source: a name, or `#` and a key.
+        """
+        resolved = self.resolve("pose", source)
+        if not resolved.startswith(KEY):
+            written = self._poses.get(resolved, PoseRecipe())
+            return PoseRecipe(**{name: getattr(written, name) for name in PoseRecipe.__struct_fields__})
+        try:
+            return unpack_pose(self._store[resolved.removeprefix(KEY)])
+        except ContentError as error:
+            raise Refusal(f"{source[:80]!r} is no pose: {error}.") from error
+
+    def contents(self, recipe: AnyRecipe, *more: str) -> dict[str, bytes]:
         """The bytes of everything that a recipe names, and of `more` sources; Refusal where one is gone."""
         keys = (source.removeprefix(KEY) for source in sorted({*sources(recipe), *more}) if source.startswith(KEY))
         try:

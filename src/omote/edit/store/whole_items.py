@@ -129,6 +129,7 @@ def _taken_labels(cast: Cast, items: Sequence[Item]) -> dict[Kind, list[str]]:
     labels: dict[Kind, list[str]] = {
         "face": [*cast.faces],
         "expression": [title.label for title in cast.titles.values()],
+        "pose": [pose.label for pose in cast.poses.values()],
     }
     for item in items:
         if not item.deleted:
@@ -138,7 +139,7 @@ def _taken_labels(cast: Cast, items: Sequence[Item]) -> dict[Kind, list[str]]:
 
 def _place_item(cast: Cast, items: Sequence[Item], item: Item, labels: Sequence[str]) -> Item:
     """An item as ours: behind all others, under its own name and label where they are free."""
-    built_in = {*cast.faces, *cast.expressions}
+    built_in = {*cast.faces, *cast.expressions, *cast.poses}
     taken = {other.name for other in items if other.kind == item.kind} | built_in
     free = _NAME.fullmatch(item.name) and item.name not in {name.casefold() for name in taken}
     name = item.name if free else new_name(item.label, item.kind, built_in.union(other.name for other in items))

@@ -10,6 +10,7 @@ from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.garment import Garment
 from omote.model.body.pose import STAND, Pose
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.known_names import KnownNames
 
 
@@ -27,6 +28,8 @@ class Figures:
         By name, "stand" among them, which turns nothing.
     garments : mapping of Garment
         By name; a look that names none of them wears the first.
+    recipes : mapping of PoseRecipe
+        What those poses that people wrote were made from, by name.
 
     Raises
     ------
@@ -38,6 +41,7 @@ class Figures:
     bodies: Mapping[str, Body]
     poses: Mapping[str, Pose]
     garments: Mapping[str, Garment] = field(default_factory=dict)
+    recipes: Mapping[str, PoseRecipe] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not self.bodies:

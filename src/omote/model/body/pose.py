@@ -76,7 +76,7 @@ def _check(pose: Pose, name: str, shape: tuple[int, ...], most: float, unit: str
     values = validate_numbers(given, name=f"{name} of pose {pose.name!r}").astype(np.float64)
     if values.shape != shape:
         raise ValueError(f"{name} of pose {pose.name!r} are {values.shape}; expected {shape}")
-    if np.abs(values).max(initial=0.0) > most:
+    if not np.abs(values).max(initial=0.0) <= most:  # also what is no number
         raise ValueError(
             f"{name} of pose {pose.name!r} reach {np.abs(values).max():.3g} {unit}; expected {most:g} at most"
         )

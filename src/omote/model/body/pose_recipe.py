@@ -16,6 +16,7 @@ from omote.model.body.skeleton import SIDES, Skeleton
 
 Degrees = Annotated[float, msgspec.Meta(ge=-200.0, le=200.0)]
 Legs = Annotated[float, msgspec.Meta(ge=-3.0, le=3.0)]
+Curl = Annotated[float, msgspec.Meta(ge=-1.0, le=1.5)]
 Turn = tuple[Degrees, Degrees, Degrees]
 STILL: Turn = (0.0, 0.0, 0.0)
 SPINE_SHARES = {"spine05": 0.15, "spine04": 0.20, "spine03": 0.20, "spine02": 0.25, "spine01": 0.20}
@@ -48,8 +49,8 @@ class Arm(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     wrist: tuple[Degrees, Degrees] = (0.0, 0.0)
     shrug: Degrees = 0.0
     reach: Degrees = 0.0
-    curls: tuple[float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0)
-    fan: float = 0.0
+    curls: tuple[Curl, Curl, Curl, Curl, Curl] = (0.0, 0.0, 0.0, 0.0, 0.0)
+    fan: Curl = 0.0
 
 
 class Leg(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -62,16 +63,14 @@ class Leg(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     toes: Degrees = 0.0
 
 
-class PoseRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class PoseRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="pose"):
     """A pose of any body.
 
-    name, label: what programs and what people call it. hips: where they go, leg lengths to the character's left, up and
+    hips: where they go, leg lengths to the character's left, up and
     ahead; turn: of the hips; trunk: of the spine; head: of neck and head; each bent forward, turned to the character's
     left and leant to its left, degrees. left, right: arms; left_leg, right_leg.
     """
 
-    name: str
-    label: str = ""
     hips: tuple[Legs, Legs, Legs] = (0.0, 0.0, 0.0)
     turn: Turn = STILL
     trunk: Turn = STILL
@@ -82,8 +81,18 @@ class PoseRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     right_leg: Leg = Leg()
 
 
-def pose_of(recipe: PoseRecipe, skeleton: Skeleton) -> Pose:
-    """The pose that a recipe describes, of this skeleton."""
+class NamedPose(PoseRecipe, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A pose of the library. name, label: what programs and what people call it."""
+
+    name: str
+    label: str = ""
+
+
+def pose_of(recipe: PoseRecipe, skeleton: Skeleton, name: str, label: str = "") -> Pose:
+    """The pose that a recipe describes, of this skeleton; ValueError where a number is out of range.
+
+    name, label: what programs and what people call it.
+    """
     turns = np.zeros((len(skeleton.names), 3))
 
     def put(bone: str, vector: Values) -> None:
@@ -102,7 +111,7 @@ def pose_of(recipe: PoseRecipe, skeleton: Skeleton) -> Pose:
         put(f"toes.{side}", np.array([-math.radians(leg.toes), 0.0, 0.0]))
         feet.append(([out * leg.at[0], leg.at[1], leg.at[2]], _foot_turn(leg.foot, out)))
     places, foot_turns = (np.array(each) for each in zip(*feet, strict=True))
-    return Pose(recipe.name, turns, np.array(recipe.hips), places, foot_turns, recipe.label)
+    return Pose(name, turns, np.array(recipe.hips), places, foot_turns, label)
 
 
 def _bend(turn: Turn) -> Values:

@@ -1,9 +1,10 @@
-"""Recipes: how an own expression or face was made, as plain data for storage, undo and exchange."""
+"""Recipes: how an own expression, face or pose was made, as plain data for storage, undo and exchange."""
 
 from __future__ import annotations
 
 import msgspec
 
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.space.complexion import PALE, ComplexionNumbers
 
 Vector = tuple[float, float, float]
@@ -80,8 +81,13 @@ class FaceRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_fi
     look: dict[str, str | float] = {}
 
 
-def sources(recipe: Recipe | FaceRecipe, /) -> frozenset[str]:
-    """Every source that a recipe names."""
+AnyRecipe = Recipe | FaceRecipe | PoseRecipe
+
+
+def sources(recipe: AnyRecipe, /) -> frozenset[str]:
+    """Every source that a recipe names; a pose is made from nothing else."""
+    if isinstance(recipe, PoseRecipe):
+        return frozenset()
     if isinstance(recipe, FaceRecipe):
         return frozenset(recipe.base) | frozenset(recipe.regions.values())
     ground = () if recipe.ground is None else (recipe.ground,)

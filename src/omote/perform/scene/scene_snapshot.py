@@ -18,7 +18,16 @@ from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
 from omote.perform.scene.memories import CHANNELS, NO_MEMORIES, Memories, Turning, check_memories, check_turning
 from omote.perform.scene.movement import Movement, check_movement, proceed
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
-from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
+from omote.perform.snapshot import (
+    ROUNDING,
+    NamesHeld,
+    Playable,
+    Snapshot,
+    axis_names,
+    check_axis,
+    check_snapshot,
+    names_held,
+)
 
 LONGEST_LABEL = 80
 MOST_REMOVALS = 16
@@ -170,11 +179,11 @@ def without_time(snapshot: SceneSnapshot) -> SceneSnapshot:
     return replace(snapshot, characters=characters, time=0.0)
 
 
-def names_held_by(snapshot: SceneSnapshot) -> tuple[frozenset[str], frozenset[str]]:
-    """The faces and the expressions (channels are expressions too) that a scene cannot be played without."""
+def names_held_by(snapshot: SceneSnapshot) -> NamesHeld:
+    """The names that a scene cannot be played without."""
     held = [names_held(character.performer) for character in snapshot.characters.values()]
-    coming = map(channels_coming, snapshot.characters.values())
-    return frozenset().union(*(faces for faces, _ in held)), frozenset().union(*(others for _, others in held), *coming)
+    coming = frozenset[str]().union(*map(channels_coming, snapshot.characters.values()))
+    return NamesHeld(expressions=coming).with_others(*held)
 
 
 def channels_coming(character: CharacterSnapshot) -> frozenset[str]:

@@ -58,12 +58,13 @@ class CastReload:
         return playing
 
     def _still_on_air(self, own: tuple[Own, ...]) -> list[Own]:
-        faces, expressions = self._session.names_held()
+        held = self._session.names_held()
+        names = {"face": held.faces, "expression": held.expressions, "pose": held.poses}
         stays = {(item.kind, item.name) for item in own}
         return [
             item
             for item in self._documents.playing.own
-            if (item.kind, item.name) not in stays and item.name in (faces if item.kind == "face" else expressions)
+            if (item.kind, item.name) not in stays and item.name in names[item.kind]
         ]
 
 

@@ -35,9 +35,15 @@ const FACES = [
   "Drag a white knob (a handle): the face follows. Its mix, parts of others and caricature stand under Recipe.",
 ] as const;
 
-type HintedState = Pick<DraftStore, "draft" | "net"> & { readonly options: Pick<Options, "tool"> };
+const POSES = [
+  "Drag a white knob (a grip): the joints follow, on every body. Drag beside them to turn the figures. Joints, one by one, on the right.",
+  "Drag a white knob (a grip): the joints follow, on every body. Drag beside them to turn the figures. Joints, one by one, below.",
+] as const;
 
-export function hintOf({ draft, net, options }: HintedState, fingers: boolean): string {
-  const [mouse, finger] = draft === null ? CLOSED : net === null ? FACES : TOOLS[options.tool];
+type HintedState = Pick<DraftStore, "draft" | "net"> & Partial<Pick<DraftStore, "pose">> & { readonly options: Pick<Options, "tool"> };
+
+export function hintOf({ draft, net, pose, options }: HintedState, fingers: boolean): string {
+  const [mouse, finger] =
+    draft === null ? CLOSED : pose ? POSES : net === null ? FACES : TOOLS[options.tool];
   return fingers ? finger : mouse;
 }

@@ -31,6 +31,7 @@ import "./new_item";
 const TABS: readonly (readonly [Kind, string])[] = [
   ["expression", "Expressions"],
   ["face", "Faces"],
+  ["pose", "Poses"],
 ];
 
 /** The face that wears what is pictured of expressions. */
@@ -277,7 +278,7 @@ export class ItemListPanel extends EditorElement {
   /** What is neither saved nor has been open here has no picture, rather than that of something else. */
   #portray(canvas: HTMLCanvasElement): void {
     const { source } = canvas.dataset;
-    if (!source) return;
+    if (!source || this.kind === "pose") return; // what figures do is seen in the middle
     const [face, expression] = this.kind === "face" ? [source, "neutral"] : [PLAIN, source];
     this.context.thumbnails.ask(canvas, { face, expression });
   }

@@ -58,7 +58,7 @@ export class NewItem extends EditorElement {
   /** The name if none is typed. */
   get #proposed(): string {
     const [source] = Object.keys(this.mix);
-    const stem = this.kind === "face" ? "New face" : "New expression";
+    const stem = `New ${this.kind}`;
     const proposed = source === undefined ? stem : `My ${this.#nameOf(source)}`.slice(0, LONGEST - 3);
     return freeLabel(this.store, this.kind, proposed);
   }
@@ -72,22 +72,26 @@ export class NewItem extends EditorElement {
 
   override render() {
     const sources = sourcesOf(this.store, this.kind);
-    const rest = this.kind === "face" ? "Generic face" : "Neutral";
+    const rest = { face: "Generic face", expression: "Neutral", pose: "Stand" }[this.kind];
     return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
       <h2>New ${this.kind}</h2>
       <input aria-label="Name" maxlength=${LONGEST} .value=${this.label || this.#proposed}
         @input=${(event: Event) => (this.label = textOf(event))} />
-      <label class="row"><input type="checkbox" .checked=${this.onAir}
-        @change=${() => (this.onAir = !this.onAir)} /> From what is on air now</label>
+      ${
+        this.kind === "pose"
+          ? nothing
+          : html`<label class="row"><input type="checkbox" .checked=${this.onAir}
+              @change=${() => (this.onAir = !this.onAir)} /> From what is on air now</label>`
+      }
       ${
         this.onAir
           ? nothing
-          : html`${Object.entries(this.mix).map(([source, weight]) => this.#part(labelOf(sources, source), source, weight))}
+          : html`${this.kind === "pose" ? nothing : Object.entries(this.mix).map(([source, weight]) => this.#part(labelOf(sources, source), source, weight))}
             ${sourceChoice(
               sources.filter(({ source }) => !(source in this.mix)),
               {
                 label: "Begin from",
-                first: Object.keys(this.mix).length === 0 ? `${rest}; or choose…` : "+ mix in…",
+                first: this.#first(rest, sources),
                 chosen: (source) => this.#set(source, 1),
               },
             )}`
@@ -95,6 +99,13 @@ export class NewItem extends EditorElement {
       <div class="row"><button class="main grow" type="submit">Create</button>
         <button type="button" @click=${this.close}>Cancel</button></div>
     </form>`;
+  }
+
+  /** What the choice of a beginning says before anything is chosen in it. */
+  #first(rest: string, sources: ReturnType<typeof sourcesOf>): string {
+    const [source] = Object.keys(this.mix);
+    if (source === undefined) return `${rest}; or choose…`;
+    return this.kind === "pose" ? labelOf(sources, source) : "+ mix in…";
   }
 
   #part(label: string, source: string, weight: number) {
@@ -105,7 +116,7 @@ export class NewItem extends EditorElement {
   }
 
   #set(source: string, weight: number): void {
-    if (source !== "") this.mix = { ...this.mix, [source]: weight };
+    if (source !== "") this.mix = this.kind === "pose" ? { [source]: 1 } : { ...this.mix, [source]: weight };
   }
 
   #drop(source: string): void {

@@ -16,9 +16,10 @@ import "./layers_panel";
 import "./look_panel";
 import "./muscles_panel";
 import "./points_panel";
+import "./pose_panel";
 import "./recipe_panel";
 
-type Tab = "layers" | "muscles" | "points" | "eyes" | "skin" | "recipe" | "look" | "history" | "exchange";
+type Tab = "layers" | "muscles" | "points" | "eyes" | "skin" | "recipe" | "look" | "pose" | "history" | "exchange";
 const FOR_EXPRESSIONS: readonly (readonly [Tab, string])[] = [
   ["layers", "Layers"],
   ["muscles", "Muscles"],
@@ -34,6 +35,12 @@ const FOR_FACES: readonly (readonly [Tab, string])[] = [
   ["history", "History"],
   ["exchange", "Import & export"],
 ];
+
+const FOR_POSES: readonly (readonly [Tab, string])[] = [
+  ["pose", "Joints"],
+  ["history", "History"],
+];
+const TABS = { expression: FOR_EXPRESSIONS, face: FOR_FACES, pose: FOR_POSES } as const;
 
 const style = css`
   :host {
@@ -89,7 +96,7 @@ const style = css`
 export class Panels extends EditorElement {
   @state() private tab: Tab = "layers";
   /** What was open last. */
-  #open: { item: number; face: boolean } | null = null;
+  #open: { item: number; kind: Kind } | null = null;
 
   static override styles = [base, controls, style];
 
@@ -97,10 +104,10 @@ export class Panels extends EditorElement {
 
   /** Something new, or something of another kind, is seen from the beginning: what it is made of. */
   override willUpdate(): void {
-    const { draft, face, item } = this.store;
-    const now = draft === null ? null : { item: draft.item, face: face !== null };
+    const { draft, item } = this.store;
+    const now = draft === null ? null : { item: draft.item, kind: draft.recipe.kind };
     const other = now !== null && now.item !== this.#open?.item;
-    if (other && (now.face !== this.#open?.face || item?.head === 0)) this.tab = now.face ? "recipe" : "layers";
+    if (other && (now.kind !== this.#open?.kind || item?.head === 0)) this.tab = TABS[now.kind][0]?.[0] ?? "layers";
     this.#open = now ?? this.#open;
   }
 
@@ -109,7 +116,7 @@ export class Panels extends EditorElement {
     if (store.draft === null && store.opening !== "")
       return html`<section class="welcome" role="status"><h2>"${store.opening}" is being opened ...</h2></section>`;
     if (store.draft === null) return this.#welcome();
-    const tabs = store.face === null ? FOR_EXPRESSIONS : FOR_FACES;
+    const tabs = TABS[store.draft.recipe.kind];
     const tab = tabs.some(([name]) => name === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
     return html`
       <div role="tablist" aria-label="Made of" @keydown=${this.#roam}>
@@ -132,6 +139,7 @@ export class Panels extends EditorElement {
           <div class="row">
             <button class="main" @click=${make("expression")}>New expression</button>
             <button @click=${make("face")}>New face</button>
+            <button @click=${make("pose")}>New pose</button>
           </div></li>
         <li><b>Drag a white pin</b> (a needle): they stand on the large face as soon as something is open. The other faces follow while you drag.</li>
         <li><b>Save.</b> From then on the console can play it, on every face.</li>
@@ -166,6 +174,7 @@ const PANELS: Readonly<Record<Tab, (context: Context) => unknown>> = {
   skin: (context) => html`<omote-complexion .context=${context}></omote-complexion>`,
   recipe: (context) => html`<omote-recipe .context=${context}></omote-recipe>`,
   look: (context) => html`<omote-look .context=${context}></omote-look>`,
+  pose: (context) => html`<omote-pose-words .context=${context}></omote-pose-words>`,
   history: (context) => html`<omote-history .context=${context}></omote-history>`,
   exchange: (context) => html`<omote-exchange .context=${context}></omote-exchange>`,
 };

@@ -8,6 +8,7 @@ import type {
   FaceRecipe,
   ItemDocument,
   Layer,
+  PoseRecipe,
   Recipe,
   RevisionDocument,
   ToEditor,
@@ -39,6 +40,8 @@ export class DraftStore extends EditorStore {
   liveEyes: { readonly turns: Recipe["eyes"]; readonly pupil: number } = LOOKING_AHEAD;
   /** What the recipe adds to blood, tears and sweat, as the hand has it now. */
   liveComplexion: Recipe["complexion"] = PALE;
+  /** A pose as the hand has it now, while it moves; else null. */
+  livePose: PoseRecipe | null = null;
   /** A source that is shown instead of the draft (an old revision), or null. */
   look: string | null = null;
   /** What is shown of layers that are tried, or alone. */
@@ -51,7 +54,7 @@ export class DraftStore extends EditorStore {
   #before: Float64Array = new Float64Array(0);
   #unanswered = 0;
   /** Steps on layers, or on a face's recipe, that the server has not answered. */
-  readonly #steps = new RecipeSteps<Recipe | FaceRecipe>(() => this.draft?.recipe ?? null);
+  readonly #steps = new RecipeSteps<Recipe | FaceRecipe | PoseRecipe>(() => this.draft?.recipe ?? null);
 
   constructor(private readonly send: Ask) {
     super();
@@ -72,6 +75,11 @@ export class DraftStore extends EditorStore {
   /** The recipe under work as the hand has it, where it is a face's. */
   get face(): FaceRecipe | null {
     return this.draft?.recipe.kind === "face" ? this.#steps.shown(this.draft.recipe) : null;
+  }
+
+  /** The recipe under work as the last step left it, where it is a pose's. */
+  get pose(): PoseRecipe | null {
+    return this.draft?.recipe.kind === "pose" ? this.#steps.shown(this.draft.recipe) : null;
   }
 
   /** The source of the expression that faces wear now: an old revision that is looked at, the draft, or neutral. */
@@ -193,12 +201,30 @@ export class DraftStore extends EditorStore {
     this.#step<FaceRecipe>(change, (recipe) => ({ type: "set_face", recipe, what }));
   }
 
+  /** A pose is shown so, on this page only, until `setPose`; null: as the last step left it. */
+  showPose(recipe: PoseRecipe | null): void {
+    this.livePose = recipe;
+    this.tell("live");
+  }
+
+  /** Another recipe of a pose; `what` goes into the history. */
+  setPose(pose: PoseRecipe, what: string): void {
+    this.livePose = null;
+    this.#step<PoseRecipe>(
+      () => pose,
+      (recipe) => ({ type: "set_pose", recipe, what }),
+    );
+  }
+
   /** A step that is made of the recipe: it waits for the steps before it, and is shown at once. */
-  #step<Kind extends Recipe | FaceRecipe>(change: (recipe: Kind) => Kind, asked: (recipe: Kind) => ItemChange): void {
+  #step<Kind extends Recipe | FaceRecipe | PoseRecipe>(
+    change: (recipe: Kind) => Kind,
+    asked: (recipe: Kind) => ItemChange,
+  ): void {
     if (this.draft === null) return;
     if (this.look !== null) this.setLook(null);
     const { item } = this.draft;
-    this.#steps.add(change as (recipe: Recipe | FaceRecipe) => Kind, (recipe, answered) =>
+    this.#steps.add(change as (recipe: Recipe | FaceRecipe | PoseRecipe) => Kind, (recipe, answered) =>
       this.#askNow({ ...asked(recipe as Kind), item } as Request, answered),
     );
     this.tell("draft");
@@ -274,7 +300,7 @@ export class DraftStore extends EditorStore {
     if (left !== draft.item) this.send({ type: "close_item", item: left }).catch(() => undefined); // nobody waits for it
     const before = this.net;
     if (draft.net !== null) this.net = readNet(draft.net);
-    else if (draft.recipe.kind === "face") this.net = null;
+    else if (draft.recipe.kind !== "expression") this.net = null;
     this.draft = draft;
     if (other) this.#forget();
     else if (this.net !== before) this.select(keptPlaces(this.selection, before, this.net));
@@ -288,6 +314,7 @@ export class DraftStore extends EditorStore {
   #forget(): void {
     this.layerPreview.end();
     this.#steps.forget();
+    this.livePose = null;
     [this.#dragged, this.look, this.revisions, this.undone] = [null, null, [], []];
     this.select([]);
     this.tell("history");

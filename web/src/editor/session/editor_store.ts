@@ -41,7 +41,13 @@ export interface Options {
 const LOOKS: ReadonlySet<Request["type"]> = new Set(["ask_history", "open_item", "close_item"]);
 
 /** What is answered with the draft of another item than the open one. */
-const OPENS: ReadonlySet<Request["type"]> = new Set(["open_item", "create_expression", "create_face", "duplicate"]);
+const OPENS: ReadonlySet<Request["type"]> = new Set([
+  "open_item",
+  "create_expression",
+  "create_face",
+  "create_pose",
+  "duplicate",
+]);
 
 /** The most faces beside the work. */
 export const MOST_NEIGHBOURS = 10;

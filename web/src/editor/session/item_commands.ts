@@ -1,7 +1,7 @@
 /** What people do with items: make, open, save, undo, bring back, name, order, delete. */
 
 import type { FaceRecipe, ItemDocument, Recipe, RevisionDocument, Saved } from "../../link/editing_messages";
-import { importFiles } from "../../ui/file_import";
+import { type ImportKind, importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
 import { REST } from "./control_net";
 import type { DraftStore } from "./draft_store";
@@ -17,6 +17,7 @@ export interface Start {
 export type Kind = ItemDocument["kind"];
 
 export function create(store: DraftStore, kind: Kind, label: string, { mix, onAir }: Start): Promise<unknown> {
+  if (kind === "pose") return store.ask({ type: "create_pose", label, start: Object.keys(mix)[0] ?? "stand" });
   const request: Request =
     kind === "expression"
       ? { type: "create_expression", label, start: mix, on_air: onAir }
@@ -41,12 +42,18 @@ export async function openItem(store: DraftStore, item: number): Promise<void> {
     ]);
 }
 
+/** What the cast has of a kind. */
+function listed(manifest: DraftStore["manifest"], kind: Kind): readonly { name: string; label: string }[] {
+  if (kind === "pose") return manifest?.figures?.poses ?? [];
+  return (kind === "face" ? manifest?.faces : manifest?.expressions) ?? [];
+}
+
 /** A name for something new that nothing of its kind has yet, built in or own: `stem`, else with the first number
  * that is free. */
 export function freeLabel(store: Pick<DraftStore, "items" | "manifest">, kind: Kind, stem: string): string {
   const own = store.items.filter((item) => item.kind === kind && !item.deleted);
-  const builtIn = kind === "face" ? store.manifest?.faces : store.manifest?.expressions;
-  const taken = new Set([...own, ...(builtIn ?? [])].map(({ label }) => label.toLowerCase()));
+  const builtIn = listed(store.manifest, kind);
+  const taken = new Set([...own, ...builtIn].map(({ label }) => label.toLowerCase()));
   for (let number = 1; ; number += 1) {
     const label = number === 1 ? stem : `${stem} ${number}`;
     if (!taken.has(label.toLowerCase())) return label;
@@ -57,7 +64,7 @@ export function freeLabel(store: Pick<DraftStore, "items" | "manifest">, kind: K
 export async function takeIn(
   store: DraftStore,
   files: readonly File[],
-  kind: Kind,
+  kind: ImportKind,
   otherwise: EditorNotice["actions"] = [],
 ): Promise<void> {
   const { done, failed } = await importFiles(files, kind, store.longRequests);
@@ -66,7 +73,7 @@ export async function takeIn(
 }
 
 /** Takes in a head, and says so; false where it cannot be, of which nothing is said. */
-export async function takeInHead(store: DraftStore, file: File, kind: Kind): Promise<boolean> {
+export async function takeInHead(store: DraftStore, file: File, kind: ImportKind): Promise<boolean> {
   const { done, failed } = await importFiles([file], kind, store.longRequests);
   if (done !== "") store.say(done, "done");
   return failed.length === 0;
@@ -92,7 +99,9 @@ export async function save(store: DraftStore, note: string): Promise<void> {
 
 function tellSaved(store: DraftStore, { item }: Saved): void {
   const saved = store.items.find(({ id }) => id === item);
-  const place = saved?.kind === "face" ? "among the faces" : "under Own";
+  const place = { face: "among the faces", pose: "among the poses", expression: "under Own" }[
+    saved?.kind ?? "expression"
+  ];
   const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}${atRest(store.recipe) ? AT_REST : ""}`;
   store.say(sentence, "done", [{ label: "Open the console", act: () => void window.open("/console", "_blank") }]);
 }
@@ -238,7 +247,7 @@ export async function describe(store: DraftStore, item: ItemDocument, change: De
 function isTaken({ items, manifest }: DraftStore, { id, kind }: ItemDocument, label: string): boolean {
   const own = items.filter((item) => item.kind === kind);
   const names = new Set(own.map(({ name }) => name));
-  const builtIn = (kind === "face" ? manifest?.faces : manifest?.expressions) ?? [];
+  const builtIn = listed(manifest, kind);
   const others = [
     ...own.filter((item) => item.id !== id && !item.deleted),
     ...builtIn.filter(({ name }) => !names.has(name)),

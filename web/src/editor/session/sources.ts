@@ -25,7 +25,7 @@ export function sourcesOf(store: DraftStore, kind: Kind): ListedSource[] {
   const own = ordered(store.items, kind)
     .filter(({ deleted, content }) => !deleted && content !== "")
     .map(({ content, label }) => ({ source: content, label, group: OWN }));
-  return [...own, ...(kind === "face" ? facesOf(store) : expressionsOf(store))];
+  return [...own, ...BUILT_IN[kind](store)];
 }
 
 const facesOf = (store: DraftStore): ListedSource[] =>
@@ -37,6 +37,19 @@ const expressionsOf = (store: DraftStore): ListedSource[] =>
   (store.manifest?.expressions ?? [])
     .filter(({ kind }) => kind !== "neutral" && kind !== "own")
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
+
+const posesOf = (store: DraftStore): ListedSource[] => {
+  const own = new Set(store.items.map(({ name }) => name));
+  return (store.manifest?.figures?.poses ?? [])
+    .filter(({ name }) => !own.has(name))
+    .map(({ name, label }) => ({ source: name, label, group: "Poses" }));
+};
+
+const BUILT_IN: Readonly<Record<Kind, (store: DraftStore) => ListedSource[]>> = {
+  face: facesOf,
+  expression: expressionsOf,
+  pose: posesOf,
+};
 
 /** What people read of a source, of one that was deleted too; a content that nobody has is what came in from a file. */
 export function labelOf(sources: readonly ListedSource[], source: string, items: DraftStore["items"] = []): string {

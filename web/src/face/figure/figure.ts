@@ -12,6 +12,7 @@ import {
   IDENTITY,
   minus,
   ORIGIN,
+  plus,
   product,
   quaternionOf,
   type Rotation,
@@ -21,7 +22,7 @@ import {
   vectorOf,
 } from "./rotations";
 import type { SharedFigures } from "./shared_figures";
-import { placeOf } from "./skeleton";
+import { placeOf, type Skeleton } from "./skeleton";
 
 /** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source. */
 export interface FigureCall {
@@ -51,6 +52,7 @@ export class Figure {
   private posed: PosedBones | undefined;
   private restKey = "";
   private poseKey = "";
+  private poses: Library["poses"] | undefined;
   private changed = false;
   private missing = 0;
   private target!: FigureTarget;
@@ -111,6 +113,8 @@ export class Figure {
     if (worn.length === 0 || carried.length === 0) return;
     const restKey = JSON.stringify([worn, carried]);
     if (restKey !== this.restKey) this.rest(worn, carried);
+    if (this.library.poses !== this.poses) this.poseKey = ""; // a name may stand for another pose now
+    this.poses = this.library.poses;
     const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;
     [this.restKey, this.poseKey] = [restKey, poseKey];
@@ -146,6 +150,26 @@ export class Figure {
   /** Where its bones begin, metres, by their names; undefined while it is not here. */
   joint(name: string): Vector | undefined {
     return this.posed?.joints[placeOf(this.shared.skeleton, name)];
+  }
+
+  /** Its bones. */
+  get skeleton(): Skeleton {
+    return this.shared.skeleton;
+  }
+
+  /** A point that goes with a bone, `offset` metres from where it begins, in its pose; undefined while it is not here. */
+  pointOf(bone: string, offset: Vector): Vector | undefined {
+    return this.posed && this.pointAmong(this.posed, bone, offset);
+  }
+
+  /** As `pointOf`, in another pose. */
+  pointIn(pose: MixedPose, bone: string, offset: Vector): Vector | undefined {
+    return this.resting && this.pointAmong(poseFigure(this.skeleton, this.resting, pose), bone, offset);
+  }
+
+  private pointAmong({ joints, frames }: PosedBones, bone: string, offset: Vector): Vector {
+    const place = placeOf(this.skeleton, bone);
+    return plus(joints[place] as Vector, turnedBy(frames[place] as Rotation, offset));
   }
 
   /** As `joint`, while it stands. */
