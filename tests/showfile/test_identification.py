@@ -60,6 +60,21 @@ def test_a_start_that_was_cut_off_left_nothing(tmp_path: Path) -> None:
     assert identify(path) == Identity("show")
 
 
+def test_a_first_start_whose_log_lost_pages_with_the_power_left_nothing(tmp_path: Path) -> None:
+    show = filled(tmp_path / "a.omote")
+    log = bytearray(show.place.log_path.read_bytes())
+    for frame in range(32, len(log), 24 + 4096):  # https://sqlite.org/fileformat2.html#walformat
+        if log[frame : frame + 4] == b"\0\0\0\1":
+            log[frame + 24 : frame + 24 + 4096] = bytes(4096)
+    left = tmp_path / "left.omote"
+    left.write_bytes(show.path.read_bytes())
+    left.with_name("left.omote-wal").write_bytes(log)
+    show.close()
+    assert identify(left) == Identity("empty")
+    open_show(left).close()
+    assert identify(left) == Identity("show")
+
+
 @pytest.mark.parametrize("length", [1, 8, 16, 60, 71])
 def test_a_header_that_is_cut_off_tells_nothing(closed: Path, length: int) -> None:
     closed.write_bytes(closed.read_bytes()[:length])

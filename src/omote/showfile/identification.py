@@ -153,9 +153,10 @@ def _log_application(log: Path) -> bytes | None:
         application = None
     (page,) = struct.unpack_from(">I", data.ljust(LOG_HEADER, b"\0"), 8)
     for at in range(LOG_HEADER, len(data) - FRAME_HEADER - HEADER, FRAME_HEADER + max(page, 512)):
-        if struct.unpack_from(">I", data, at)[0] == 1:
-            start = at + FRAME_HEADER + ID_PLACE
-            application = data[start : start + len(OURS)]
+        start = at + FRAME_HEADER
+        # A loss of power may leave a frame's head without its page.
+        if struct.unpack_from(">I", data, at)[0] == 1 and data.startswith(MAGIC, start):
+            application = data[start + ID_PLACE : start + ID_PLACE + len(OURS)]
     return application
 
 
