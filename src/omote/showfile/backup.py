@@ -17,7 +17,7 @@ from omote.showfile.database_errors import explain_database_error
 from omote.showfile.identification import ForeignFileError, identify
 from omote.showfile.integrity import is_damage, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
-from omote.showfile.show_file import ShowFile
+from omote.showfile.show_file import ShowFile, sync_to_disk
 
 BACKUP_SUFFIXES = (".good", ".good-1", ".good-2")
 """What the names of backups end with, the newest first."""
@@ -117,9 +117,9 @@ def put_in_place(draft: Path, path: Path, /) -> None:
 
     draft: the file, whole; path: its name from now on.
     """
-    _sync(draft)
+    sync_to_disk(draft)
     draft.replace(path)
-    _sync(path.absolute().parent)
+    sync_to_disk(path.absolute().parent)
 
 
 def put_in_free_place(draft: Path, path: Path, /) -> None:
@@ -127,7 +127,7 @@ def put_in_free_place(draft: Path, path: Path, /) -> None:
 
     draft: the file, whole; path: its name from now on.
     """
-    _sync(draft)
+    sync_to_disk(draft)
     try:
         path.hardlink_to(draft)
     except FileExistsError:
@@ -136,12 +136,4 @@ def put_in_free_place(draft: Path, path: Path, /) -> None:
         if path.exists():
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
         draft.replace(path)
-    _sync(path.absolute().parent)
-
-
-def _sync(path: Path) -> None:
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+    sync_to_disk(path.absolute().parent)

@@ -12,7 +12,7 @@ import os
 import shutil
 import sqlite3
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -219,11 +219,7 @@ class ShowFile:
         It lies in the log then; nothing is merged. Nothing where the log was moved away. OSError where the disk fails.
         """
         with contextlib.suppress(FileNotFoundError):
-            log = os.open(self.place.log_path, os.O_RDONLY)  # SQLite has no lock on it, which closing it would drop
-            try:
-                _sync(log)
-            finally:
-                os.close(log)
+            sync_to_disk(self.place.log_path, _sync)  # SQLite has no lock on it, which closing it would drop
 
     def flush(self) -> None:
         """Flushes to the disk, so that all commits survive a loss of power, and merges the log.
@@ -292,7 +288,7 @@ def open_show(path: Path) -> ShowFile:
 
 def write_new_show(path: Path, changes: Iterable[Change], /) -> None:
     """Makes a show file that holds what changes add, whole or not at all; ShowFileError, OSError or sqlite3.Error where
-    it cannot be.
+    it cannot be. It survives a loss of power when this returns.
 
     path: where nothing lies yet; changes: to an empty show.
     """
@@ -304,6 +300,7 @@ def write_new_show(path: Path, changes: Iterable[Change], /) -> None:
         finally:
             show.close()
         made.rename(path)
+    sync_to_disk(path.absolute().parent)
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:
@@ -321,6 +318,18 @@ def make_private(path: Path) -> None:
     """
     with contextlib.suppress(FileExistsError):
         os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
+
+
+def sync_to_disk(path: Path, sync: Callable[[int], None] | None = None) -> None:
+    """Waits until a file, or the names in a folder, survive a loss of power; OSError where the disk fails.
+
+    sync: what waits, given the open file; None for `os.fsync`.
+    """
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        (sync or os.fsync)(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 def _connect(path: Path) -> sqlite3.Connection:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
 from contextlib import closing
 from pathlib import Path
@@ -59,6 +60,19 @@ def rows_of(stored: Stored, name: str) -> list[object]:
     rows: tuple[Revision | Draft | Edit, ...] = (*stored.revisions, *stored.drafts, *stored.edits)
     mine = [msgspec.structs.replace(row, item=0) for row in rows if row.item == found.id]
     return [msgspec.structs.replace(found, id=0, place=0.0), *mine]
+
+
+def test_a_new_show_file_is_synced_with_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    synced = list[tuple[int, bool]]()
+    real = os.fsync
+
+    def sync(file: int) -> None:
+        synced.append((os.fstat(file).st_ino, (tmp_path / "a.omote").exists()))
+        real(file)
+
+    monkeypatch.setattr(os, "fsync", sync)
+    write_new_show(tmp_path / "a.omote", [])
+    assert (tmp_path.stat().st_ino, True) in synced
 
 
 def test_an_item_leaves_whole_and_comes_in_with_the_same_bytes(cast: Cast, tmp_path: Path) -> None:
