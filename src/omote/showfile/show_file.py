@@ -297,6 +297,7 @@ def write_new_show(path: Path, changes: Iterable[Change], /) -> None:
         show = open_show(made)
         try:
             show.apply(changes)
+            show.merge_log()  # to close it merges too, but says nothing where the disk is full
         finally:
             show.close()
         made.rename(path)
