@@ -54,10 +54,8 @@ def test_an_open_mouth_shows_warm_teeth_and_wet_flesh_around_them(stage: Page, f
 
 
 @pytest.mark.parametrize("face", ["child", "dog", "cat"])
-def test_both_eyes_of_a_turned_head_have_a_small_catchlight(open_page: OpenPage, face: str) -> None:
-    page = open_page("/stage?quality=medium", width=500, height=560)
-    wait_until(page, "window.omoteStage?.counters().drawn")
-    draw_on_demand(page)
+def test_both_eyes_of_a_turned_head_have_a_small_catchlight(held_stage: OpenPage, face: str) -> None:
+    page = held_stage("?quality=medium", width=500, height=560)
     pose = {"faces": {face: 1.0}, "expressions": {"joy": 1.0}, "head": [0.6, 0.0, 0.0]}
     page.evaluate("pose => window.omoteStage.hold(pose)", pose)
     pixels = picture(page)[..., :3].astype(float)

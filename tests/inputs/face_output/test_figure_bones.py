@@ -95,7 +95,9 @@ def test_packets_hold_every_bone_once_and_our_own_decoder_reads_the_head() -> No
     assert sorted(sent) == sorted([*names, "LeftEye", "RightEye"])
     assert [message.arguments[0] for message in messages if message.address == ROOT] == ["root"]
     hips = next(message for message in messages if message.arguments[:1] == ("Hips",))
-    assert 0.7 < float(hips.arguments[2]) < 1.3, "metres above the soles"
+    height = hips.arguments[2]
+    assert isinstance(height, float)
+    assert 0.7 < height < 1.3, "metres above the soles"
     decoder = VmcDecoder()
     frames = [frame for packet in packets for frame in decoder.decode(packet)]
     assert frames[-1].head is not None

@@ -40,10 +40,10 @@ const POSES = [
   "Drag a white knob (a grip): the joints follow, on every body. Drag beside them to turn the figures. Joints, one by one, below.",
 ] as const;
 
-type HintedState = Pick<DraftStore, "draft" | "net"> & Partial<Pick<DraftStore, "pose">> & { readonly options: Pick<Options, "tool"> };
+type HintedState = Pick<DraftStore, "draft" | "net"> &
+  Partial<Pick<DraftStore, "pose">> & { readonly options: Pick<Options, "tool"> };
 
 export function hintOf({ draft, net, pose, options }: HintedState, fingers: boolean): string {
-  const [mouse, finger] =
-    draft === null ? CLOSED : pose ? POSES : net === null ? FACES : TOOLS[options.tool];
+  const [mouse, finger] = draft === null ? CLOSED : pose ? POSES : net === null ? FACES : TOOLS[options.tool];
   return fingers ? finger : mouse;
 }
