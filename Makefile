@@ -28,7 +28,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin src/omote/perform/blending/correctives.py -name "*.py" -o -name "*.toml")
 
-.PHONY: help demo test setup bake web check check-python check-web compiled browser tests tests-and-wheel browser-tests test-slow wheel-test format bench gallery docs wheel clean
+.PHONY: help demo test setup bake web check check-python check-web compiled browser tests tests-and-wheel browser-tests test-slow trust wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -39,6 +39,7 @@ help:
 	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
 	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md and docs/method.md"
 	@echo "make test-slow  what make test leaves out: before a release"
+	@echo "make trust   break it on purpose and write build/trust.md"
 	@echo "make docs    the documentation site, build/site"
 	@echo "make clean   remove everything that was made here"
 
@@ -134,6 +135,12 @@ test-slow: setup
 	@echo "== Tests that cost most"
 	@$(PYTEST) -m slow
 	@$(PYTEST) -m slow tests/browser
+
+# SEED draws others of the states and calls that are tried.
+SEED ?= 1
+trust: setup
+	@echo "== Trust: faults on purpose (build/trust.md)"
+	@$(RUN) -m tests.trust.trust_report --seed $(SEED)
 
 wheel-test: setup
 	@echo "== Test of the wheel"
