@@ -1,6 +1,6 @@
 """The short form of `make trust`: some states of a crash, some failing calls, and planted bugs."""
 
-import sys
+import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +11,10 @@ from tests.trust.disk_faults import DiskTrial, disk_trial
 from tests.trust.trust_report import catch
 
 SEED = 1
-pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="a library before a program's own calls")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(shutil.which("cc") is None, reason="the library before a program's calls has to be compiled"),
+]
 
 
 @pytest.fixture(scope="module")
