@@ -99,7 +99,7 @@ USED: dict[str, str] = {
     ),
     "editor/pose": "link ui face face/figure face/pose editor/session editor/controls",
     "editor/panels": "link ui face/pose editor/session editor/controls editor/pose",
-    "editor/page": "link ui editor/session editor/controls",
+    "editor/page": "link ui editor/session editor/controls editor/pose",
     "editor/canvas/model": "link face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
         "link face/pose face/quality face/anatomy face/gpu face/light face/skin face/head face/hair editor/session "

@@ -24,7 +24,7 @@ Values = NDArray[Any]
 SEED = 1993
 LIMBUS = 0.42
 """Radius of a person's iris, in the ball's."""
-PUPIL = 0.36
+PUPIL = 0.32
 ARCH = 0.034
 """From the front teeth back to the middle of the dental arch, metres."""
 _LOWER = 1.7

@@ -2,7 +2,7 @@
 
 import { capture } from "../face/capture";
 import { FaceView, type FaceViewOptions } from "../face/face_view";
-import { THUMBNAIL } from "../face/framing";
+import { FIGURE_GROUND, THUMBNAIL } from "../face/framing";
 import { restPose, STANDING } from "../face/pose/pose";
 import type { Library } from "../link/assets";
 import { type DrawThumbnail, THUMBNAIL_SIZE } from "../ui/thumbnails";
@@ -15,15 +15,12 @@ export async function openThumbnails(library: Library): Promise<DrawThumbnail> {
       await faces.present(restPose(face, expression));
       return capture(faces);
     }
-    figures ??= openView(library, { shotSize: "full", background: GROUND });
+    figures ??= openView(library, { shotSize: "full", background: FIGURE_GROUND });
     const view = await figures;
     await view.present({ ...restPose(face, expression), figure: { ...STANDING, poses: { [pose]: 1 } } });
     return capture(view);
   };
 }
-
-/** Behind figures, whose suits are black: grey in linear light. */
-const GROUND: [number, number, number] = [0.1, 0.105, 0.115];
 
 async function openView(library: Library, options: FaceViewOptions): Promise<FaceView> {
   const view = await FaceView.load(document.createElement("canvas"), library, { ...options, pixelRatio: 1 });

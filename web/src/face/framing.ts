@@ -32,6 +32,9 @@ export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width:
  */
 export const THUMBNAIL: Shot = { ...PORTRAIT, centre: [0, -0.014, 0.05], zoom: PORTRAIT.height / 0.185 };
 
+/** Behind figures in pictures of them, whose suits are black: grey in linear light. */
+export const FIGURE_GROUND: [number, number, number] = [0.1, 0.105, 0.115];
+
 export type Point = readonly [number, number, number];
 
 /** The rectangle of one tile in its wall's picture, in pixels of the tile. */

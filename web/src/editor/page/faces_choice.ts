@@ -7,6 +7,7 @@ import { base } from "../../ui/theme";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
+import { BESIDE } from "../pose/pose_work";
 import type { Topic } from "../session/draft_store";
 import { MOST_NEIGHBOURS } from "../session/editor_store";
 
@@ -66,7 +67,7 @@ export class FacesChoice extends EditorElement {
 
   static override styles = [base, controls, style];
 
-  protected override readonly topics: readonly Topic[] = ["cast"];
+  protected override readonly topics: readonly Topic[] = ["cast", "draft"];
 
   constructor() {
     super();
@@ -103,9 +104,10 @@ export class FacesChoice extends EditorElement {
   };
 
   override render() {
-    const { work, neighbours } = this.store;
+    const { work, neighbours, pose } = this.store;
+    const shown = pose === null ? neighbours.length : Math.min(neighbours.length, BESIDE);
     return html`
-      <button aria-expanded=${this.place !== null} title="Which faces are shown" @click=${this.#toggle}>Faces: ${neighbours.length + 1} ▾</button>
+      <button aria-expanded=${this.place !== null} title="Which faces are shown" @click=${this.#toggle}>Faces: ${shown + 1} ▾</button>
       ${this.place === null ? nothing : this.#list(work, neighbours, this.place)}
     `;
   }

@@ -154,7 +154,7 @@ export class ItemListPanel extends EditorElement {
       @keydown=${(event: KeyboardEvent) => this.#key(event, item)}>
       <button class="picture" title="Open" aria-label="Open ${item.label}" ?disabled=${item.deleted}
         @click=${() => openItem(this.store, item.id)}>
-        <canvas data-source=${item.content || (this.#drafts.get(item.id) ?? "")} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
+        <canvas data-source=${this.#pictured(item)} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
         <span class="text">${this.naming === item.id ? nothing : html`<b>${item.label}</b>`}
           <small class=${this.#isUnsaved(item) ? "unsaved" : ""}>${this.#remark(item)}</small></span>
       </button>
@@ -233,6 +233,11 @@ export class ItemListPanel extends EditorElement {
     if (item !== null && item !== onto) this.#put(item, this.#own.indexOf(onto));
   }
 
+  /** What the picture of an item shows: its content, saved or as it was open here; a pose is found by its name. */
+  #pictured({ id, kind, name, content }: ItemDocument): string {
+    return kind === "pose" ? name : content || (this.#drafts.get(id) ?? "");
+  }
+
   #put(item: ItemDocument, at: number): void {
     const others = this.#own.filter(({ id }) => id !== item.id);
     void describe(this.store, item, { place: placeAt(others, at) });
@@ -278,8 +283,10 @@ export class ItemListPanel extends EditorElement {
   /** What is neither saved nor has been open here has no picture, rather than that of something else. */
   #portray(canvas: HTMLCanvasElement): void {
     const { source } = canvas.dataset;
-    if (!source || this.kind === "pose") return; // what figures do is seen in the middle
+    if (!source) return;
     const [face, expression] = this.kind === "face" ? [source, "neutral"] : [PLAIN, source];
-    this.context.thumbnails.ask(canvas, { face, expression });
+    if (this.kind !== "pose") this.context.thumbnails.ask(canvas, { face, expression });
+    else if (this.store.library?.poses.has(source))
+      this.context.thumbnails.ask(canvas, { face: PLAIN, expression: "neutral", pose: source });
   }
 }

@@ -12,7 +12,7 @@ export const style = css`
   }
   .tabs {
     display: grid;
-    grid-template-columns: 1fr 1fr;
+    grid-template-columns: repeat(3, auto);
     gap: 2px;
   }
   .tabs button[aria-selected="true"] {

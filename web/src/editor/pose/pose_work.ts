@@ -7,6 +7,7 @@ import { FaceView } from "../../face/face_view";
 import type { Figure } from "../../face/figure/figure";
 import { poseOf } from "../../face/figure/pose_recipe";
 import type { Vector } from "../../face/figure/rotations";
+import { FIGURE_GROUND } from "../../face/framing";
 import { restPose, STANDING } from "../../face/pose/pose";
 import { FRONT, type ScenePose } from "../../face/pose/scene_pose";
 import { ALL } from "../../link/constants";
@@ -20,10 +21,8 @@ import { GRIPS, type Grip, reach } from "./pose_grips";
 import { alike } from "./pose_words";
 
 /** Bodies beside the one under work, and how far from it, metres. */
-const BESIDE = 2;
+export const BESIDE = 2;
 const APART = 0.95;
-/** Behind figures, whose suits are black: grey in linear light. */
-const GROUND: [number, number, number] = [0.1, 0.105, 0.115];
 /** Radians that a figure turns for a picture's width. */
 const TURN = Math.PI;
 const VIEWS: Readonly<Record<string, number>> = {
@@ -144,7 +143,11 @@ export class PoseWork extends EditorElement {
   async #open(): Promise<void> {
     const { library } = this.store;
     if (library === null) return;
-    const view = await FaceView.load(this.canvas, library, { shotSize: "full", background: GROUND, pixelRatio: 1 });
+    const view = await FaceView.load(this.canvas, library, {
+      shotSize: "full",
+      background: FIGURE_GROUND,
+      pixelRatio: 1,
+    });
     if (!this.isConnected) {
       view.dispose();
       return;

@@ -1,10 +1,10 @@
 /** Pictures of (face, expression) off screen, one after the other, on one graphics context. */
 
 import { capture } from "../../face/capture";
-import { FaceView } from "../../face/face_view";
-import { PORTRAIT, THUMBNAIL } from "../../face/framing";
+import { FaceView, type FaceViewOptions } from "../../face/face_view";
+import { FIGURE_GROUND, PORTRAIT, THUMBNAIL } from "../../face/framing";
 import { fenced } from "../../face/gpu/fence";
-import { restPose } from "../../face/pose/pose";
+import { restPose, STANDING } from "../../face/pose/pose";
 import { KEY, type Library } from "../../link/assets";
 import type { FaceDocument, Look, Manifest } from "../../link/messages";
 import type { ThumbnailSubject } from "../../ui/thumbnails";
@@ -20,14 +20,14 @@ export class ThumbnailRenderer {
   /** What is being drawn; the next picture waits for it. */
   #last: Promise<unknown> = Promise.resolve();
 
+  /** Draws figures, once a picture of one is asked for. */
+  #figures: Promise<FaceView> | undefined;
+
   private constructor(private readonly view: FaceView) {}
 
   /** Draws at the cheapest level: pictures as small as these look alike at all. */
   static async open(library: Library): Promise<ThumbnailRenderer> {
-    const canvas = document.createElement("canvas");
-    return new ThumbnailRenderer(
-      await FaceView.load(canvas, library, { shot: THUMBNAIL, pixelRatio: 1, level: "lowest" }),
-    );
+    return new ThumbnailRenderer(await openView(library, { shot: THUMBNAIL }));
   }
 
   /** Rejects when it cannot be drawn. */
@@ -37,7 +37,9 @@ export class ThumbnailRenderer {
     return drawn;
   }
 
-  async #draw({ face, expression, hair }: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
+  async #draw(subject: ThumbnailSubject, width: number, height: number): Promise<ImageBitmap> {
+    const { face, expression, hair, pose: done } = subject;
+    if (done !== undefined) return this.#drawFigure(face, done, width, height);
     const { view } = this;
     await ensureFace(view.library, face);
     view.shot = hair === undefined ? THUMBNAIL : PORTRAIT;
@@ -47,7 +49,19 @@ export class ThumbnailRenderer {
     const [picture] = await Promise.all([capture(view), finished(view.context)]);
     return picture;
   }
+
+  async #drawFigure(face: string, pose: string, width: number, height: number): Promise<ImageBitmap> {
+    this.#figures ??= openView(this.view.library, { shotSize: "full", background: FIGURE_GROUND });
+    const view = await this.#figures;
+    view.resize(width, height);
+    await view.present({ ...restPose(face), figure: { ...STANDING, poses: { [pose]: 1 } } });
+    const [picture] = await Promise.all([capture(view), finished(view.context)]);
+    return picture;
+  }
 }
+
+const openView = (library: Library, options: FaceViewOptions): Promise<FaceView> =>
+  FaceView.load(document.createElement("canvas"), library, { ...options, pixelRatio: 1, level: "lowest" });
 
 /**
  * Makes a face known that the cast has not, or not yet: one that was saved a moment ago, an old revision, a deleted one.

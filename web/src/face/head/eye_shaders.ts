@@ -54,10 +54,11 @@ uniform sampler2D grain;
 
 const float LIMBUS = 0.42; // radius of a person's iris, in the ball's
 const float WATER = 1.0 / 1.336;
+const float PUPIL = 0.32; // radius in the light of a stage, in the iris's (4 of 12 mm)
 
 /** 1 at the pupil's edge, less inside: a circle, an upright lens, or what lies between. */
 float pupilAt(vec2 place, float size) {
-  float wide = max(size - 0.36, 0.0);
+  float wide = max(size - PUPIL, 0.0);
   float across = mix(size, 0.07 + 0.22 * size + 1.5 * wide, slit);
   float along = mix(size, max(0.86, size), slit);
   vec2 share = place / vec2(across, along);
@@ -69,9 +70,12 @@ vec4 fibre(float turn, float out_, float tiles, float length_, float level) {
   return textureLod(grain, vec2(turn * tiles, out_ * length_), level) - 0.5;
 }
 
-/** Colour of the iris at a place (1: its edge), and in w what the pupil leaves of it. */
-vec4 irisAt(vec2 place, float blur) {
-  float size = clamp(0.36 + (pupil > 0.0 ? 0.27 : 0.19) * pupil, 0.15, 0.68);
+/**
+ * Colour of the iris at a place (1: its edge), and in w what the pupil leaves of it. Between lids that are nearly shut
+ * (slim) it is smaller: else it is a black bar from lid to lid, and an eye that laughs looks at nobody.
+ */
+vec4 irisAt(vec2 place, float blur, float slim) {
+  float size = clamp(PUPIL + (pupil > 0.0 ? 0.31 : 0.15) * pupil, 0.15, 0.68) * (1.0 - 0.3 * slim * (1.0 - slit));
   float out_ = length(place);
   float hole = pupilAt(place, size);
   float soft = max(0.06, blur / size);
@@ -155,7 +159,7 @@ float catchlight(vec3 local, vec3 half_, float edge, float slim, float blur) {
   vec2 at = half_.xy * edge / 0.66;
   at *= min(1.0, 0.52 * edge * inversesqrt(max(dot(at, at), 1e-6)));
   at.y = clamp(at.y, local.y - 0.6 * vLids.y + 0.4 * vLids.x, local.y + 0.6 * vLids.x - 0.4 * vLids.y);
-  vec2 size = vec2(0.155, 0.195) * (1.0 - 0.4 * slim) / max(irisSize, 1.0); // in radii of the iris
+  vec2 size = vec2(0.125, 0.155) * (1.0 - 0.35 * slim) / max(irisSize, 1.0); // in radii of the iris
   vec2 off = max(abs(local.xy - at) / edge - 0.3 * size, 0.0) / (0.7 * size);
   float soft = 0.45 + blur / size.x;
   return (1.0 - smoothstep(1.0 - soft, 1.0 + soft, length(off))) * smoothstep(0.0, 0.3, half_.z) * step(0.0, local.z);
@@ -186,7 +190,6 @@ void main() {
 #else
   float blur = length(fwidth(local.xy)) / edge;
 #endif
-  vec4 inner = irisAt(place, blur);
 
   // How far the light is kept off: by the lids' edges above all, the upper one with its lashes.
   float gap = vLids.x + vLids.y;
@@ -195,6 +198,7 @@ void main() {
 #else
   const float slim = 0.0;
 #endif
+  vec4 inner = irisAt(place, blur, slim);
   float roof = (0.06 + 0.14 * clamp((KEY * headTurn).y, 0.0, 1.0)) * (1.0 - 0.7 * slim);
   float keyOpen = smoothstep(roof - 0.13, roof + 0.10, vLids.x) * smoothstep(-0.03, 0.05, vLids.y);
   float skyOpen = smoothstep(-0.10, 0.42, vLids.x) * mix(0.55, 1.0, smoothstep(-0.04, 0.20, vLids.y));
@@ -234,7 +238,7 @@ void main() {
   light += KEY_LIGHT * 2.2 * shine(film, view, KEY, 300.0) * lidded;
 #else
   float soft = 0.05 + length(fwidth(mirrored));
-  light += KEY_LIGHT * (2.9 * catchlight(local, normalize(KEY + view) * eyeTurn, edge, slim, blur) + 0.05 * shine(surface, view, KEY, 40.0)) * lidded;
+  light += KEY_LIGHT * (2.6 * catchlight(local, normalize(KEY + view) * eyeTurn, edge, slim, blur) + 0.05 * shine(surface, view, KEY, 40.0)) * lidded;
   light += FILL_LIGHT * 0.45 * softbox(mirrored, FILL, vec2(0.09, 0.12), soft + 0.05) * lidded * mix(0.2, 1.0, cap);
   vec3 room = mix(GROUND_LIGHT, SKY_LIGHT * 1.6, smoothstep(-0.3, 0.7, mirrored.y));
   room += RIM_LIGHT * 0.5 * (pow(max(dot(mirrored, RIM_LEFT), 0.0), 8.0) + pow(max(dot(mirrored, RIM_RIGHT), 0.0), 8.0));

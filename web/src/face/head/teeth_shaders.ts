@@ -87,20 +87,20 @@ void main() {
 
   float tone = fract(sin(number * 12.9) * 43.7) - 0.5;
   float canine = 1.0 - smoothstep(0.0, 0.6, abs(fromMiddle - 2.0));
-  vec3 enamel = mix(vec3(0.74, 0.60, 0.42), vec3(0.86, 0.80, 0.69), smoothstep(-0.05, 0.6, height));
+  vec3 enamel = mix(vec3(0.79, 0.68, 0.52), vec3(0.90, 0.85, 0.76), smoothstep(-0.05, 0.5, height));
   enamel = mix(enamel, mix(vec3(0.82, 0.72, 0.55), vec3(0.91, 0.87, 0.79), smoothstep(0.0, 0.4, height)), fur);
   enamel *= mix(vec3(1.0), vec3(0.965, 0.93, 0.85), canine * (1.0 - fur));
   float thin = (1.0 - fur) * (1.0 - smoothstep(1.2, 1.8, fromMiddle)) * smoothstep(0.74 + 0.10 * bumps.b - 0.06 * sides, 0.98, height);
   enamel = mix(enamel, vec3(0.50, 0.53, 0.56), 0.55 * thin); // the edge of incisors lets the dark through
-  enamel *= mix(vec3(1.0), vec3(0.93, 0.84, 0.66), age) * (1.0 + vec3(0.10, 0.11, 0.14) * tone);
+  enamel *= mix(vec3(1.0), vec3(0.95, 0.88, 0.73), age) * (1.0 + vec3(0.10, 0.11, 0.14) * tone);
   enamel *= mix(vec3(1.0), vec3(0.50, 0.36, 0.29), smoothstep(0.62, 1.0, abs(across)) * smoothstep(0.0, 0.15, height)); // light between teeth went through them
   vec3 pink = mix(vec3(0.56, 0.235, 0.22), vec3(0.46, 0.13, 0.12), smoothstep(0.1, 0.7, -height)) * (1.0 + 0.35 * bumps.b);
   vec3 albedo = mix(enamel, pink, gum);
   albedo *= mix(0.62, 1.0, smoothstep(0.0, 0.09, abs(height))); // where the gum begins
   albedo *= mix(vec3(1.0), mix(vec3(0.36, 0.27, 0.23), vec3(1.0), fur), smoothstep(1.5, 6.0, fromMiddle)); // cheeks lie close to a person's back teeth
-  vec3 film = normalize(normal + (1.0 - gum) * (1.2 * (0.60 - height) * rise + 0.25 * round_ * along + 0.10 * (bumps.r * along + bumps.a * rise)));
+  vec3 film = normalize(normal + (1.0 - gum) * (1.2 * (0.60 - height) * rise + (0.25 * round_ + 0.3 * tone) * along + 0.10 * (bumps.r * along + bumps.a * rise)));
   float direct = keyAt(normal);
   vec3 light = lit(albedo, normal, mix(0.42, 0.35, gum), mix(0.16, 0.24, gum), direct);
-  colour = premultiplied(light + wetness(film, mix(1.0, 0.5, gum), direct), 1.0);
+  colour = premultiplied(light + wetness(film, mix(0.75 + 0.8 * tone, 0.5, gum), direct), 1.0);
 }
 `;

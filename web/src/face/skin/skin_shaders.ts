@@ -152,7 +152,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 #endif
   float flesh = (1.0 - at.hair) * (1.0 - 0.6 * at.fur) * (1.0 - 0.7 * lacquer);
   vec3 blurred = vec3(0.65, 0.32, 0.2) * flesh; // red light goes furthest: fine relief hardly shows in it
-  vec3 wrap = vec3(0.05) + (vec3(0.22, 0.10, 0.06) + layers.finish.g * vec3(0.10, 0.045, 0.025)) * flesh;
+  vec3 wrap = vec3(0.05) + (vec3(0.19, 0.10, 0.065) + layers.finish.g * vec3(0.10, 0.045, 0.025)) * flesh;
   vec3 key = mix(vec3(dot(normal, KEY)), vec3(dot(form, KEY)), blurred);
   key = clamp((key + wrap) / (1.0 + wrap), 0.0, 1.0);
   float sunlit = shadow(vPoint, form);
@@ -160,7 +160,7 @@ vec3 lit(Layers layers, Ground at, float open) {
 #ifdef DETAIL
   sunlit = max(sunlit, 0.3 * inside); // lips shade each other, and light goes through them
 #endif
-  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit * sunlit), 0.3 * flesh); // light that comes out beside: red far into a shadow, blue not
+  key *= mix(vec3(sunlit), vec3(sqrt(sunlit), sunlit, sunlit * sunlit), 0.14 * flesh); // light that comes out beside: red far into a shadow, blue not
   key *= mix(vec3(1.0), mix(vec3(1.0, 0.93, 0.88), vec3(1.0), key), flesh);
   float fill = clamp(dot(normal, FILL) * 0.6 + 0.4, 0.0, 1.0);
   vec3 shade = mix(vec3(open), bounced(open, at.albedo), flesh);
