@@ -26,11 +26,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.body.body import Body
+from omote.model.body.compose_pose import pose_of
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
 from omote.model.body.garment import Garment
 from omote.model.body.pose import STAND, Pose
-from omote.model.body.pose_recipe import NamedPose, pose_of
+from omote.model.body.pose_recipe import NamedPose
 from omote.model.body.skeleton import Skeleton
 
 FIGURE_FORMAT = 2

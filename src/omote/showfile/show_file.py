@@ -324,7 +324,7 @@ def make_private(path: Path) -> None:
 def sync_to_disk(path: Path, sync: Callable[[int], None] | None = None) -> None:
     """Waits until a file, or the names in a folder, survive a loss of power; OSError where the disk fails.
 
-    sync: what waits, given the open file; None for `os.fsync`.
+    path: of the file, or of the folder; sync: what waits, given the open file; None for `os.fsync`.
     """
     descriptor = os.open(path, os.O_RDONLY)
     try:

@@ -12,8 +12,8 @@ from types import MappingProxyType
 import msgspec
 
 from omote.model.body.body import Body
+from omote.model.body.compose_pose import pose_of
 from omote.model.body.pose import Pose
-from omote.model.body.pose_recipe import pose_of
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL, KnownNames
 from omote.model.recipes.recipe import KEY

@@ -50,4 +50,4 @@ def test_recipes_are_checked_whole(harness: EditHarness) -> None:
 
 
 def test_no_name_of_the_cast_or_of_ones_own_is_free(harness: EditHarness) -> None:
-    assert authored(harness).names() == {*harness.cast.faces, *harness.cast.expressions, "grin"}
+    assert authored(harness).names() == {*harness.cast.faces, *harness.cast.expressions, *harness.cast.poses, "grin"}

@@ -14,8 +14,9 @@ from omote.edit.protocol.orders import Bake
 from omote.edit.session import drafts
 from omote.edit.session.items import own_things
 from omote.edit.session.requests import ANSWERS, queue_key
+from omote.model.body.compose_pose import pose_of
 from omote.model.body.pose import STAND
-from omote.model.body.pose_recipe import PoseRecipe, pose_of
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.perform.snapshot import names_held

@@ -57,7 +57,8 @@ _EAR_LEAN = 0.2
 
 def _off_the_ear(places: Floats) -> Floats:
     """How far each place lies from the middle of an ear as seen from the side (n,), 1 on its outline."""
-    up, ahead = places[:, 1] - _EAR_MIDDLE[0], places[:, 2] - _EAR_MIDDLE[1]
+    up = places[:, 1] - _EAR_MIDDLE[0]
+    ahead = places[:, 2] - _EAR_MIDDLE[1]
     along = np.cos(_EAR_LEAN) * up - np.sin(_EAR_LEAN) * ahead
     across = np.sin(_EAR_LEAN) * up + np.cos(_EAR_LEAN) * ahead
     return np.asarray(np.hypot(along / _EAR_HALVES[0], across / _EAR_HALVES[1]))

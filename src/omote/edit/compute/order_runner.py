@@ -12,7 +12,8 @@ import msgspec
 from omote.edit.compute.layer_correction import LayerCorrection
 from omote.edit.protocol.messages import NetDocument, TangentsAsset
 from omote.edit.protocol.orders import Baked, Contents, EditOrder, Flat, Renet, Solve
-from omote.model.body.pose_recipe import PoseRecipe, pose_of
+from omote.model.body.compose_pose import pose_of
+from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.cast import Cast
 from omote.model.controls.inverse_solve import solve_vectors
 from omote.model.controls.net_field import NetField, build_net_field

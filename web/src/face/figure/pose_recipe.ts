@@ -1,4 +1,4 @@
-/** The pose that a recipe describes, as `model.body.pose_recipe` has it: joints in degrees as anatomy counts them. */
+/** The pose that a recipe describes, as `model.body.compose_pose` has it: joints in degrees as anatomy counts them. */
 
 import type { Arm, Leg, PoseRecipe } from "../../link/editing_messages";
 import { blankPose, type MixedPose } from "./pose_mix";
