@@ -52,7 +52,7 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
     names = json.dumps({"bones": rig.skeleton.names, "bodies": [*FIGURES], "garments": listed})
     shares = dual_shares(rig, generic, head.metres(base.points))
     shares[first_of_skirt:] = 0.0  # cloth between two legs has no limb of its own that could keep it round
-    skinning = Skinning(rig.skeleton, bones, weights, shares)
+    skinning = Skinning(rig.skeleton, bones, weights.astype(np.float32), shares.astype(np.float32))
     hinges = find_hinges(skinning, joints, generic, cut.triangles)
     arrays: Arrays = {
         "format": np.array(FIGURE_FORMAT),

@@ -12,13 +12,14 @@ from itertools import pairwise
 import numpy as np
 from scipy.sparse import csr_array
 
+from omote.arrays import Floats as Singles
 from omote.arrays import Points, Values
 from omote.geometry.skinning import skin
 from omote.model.body.hinges import BENDS, HINGES
 from omote.model.body.posed_bones import PosedBones, pose_bones
 from omote.model.body.skeleton import Skeleton
 from omote.model.body.stand import stand_turns
-from tools.baking.heads.basemesh import Floats, Ints
+from tools.baking.heads.basemesh import Ints
 
 REACH = {"lowerarm01": 0.11, "lowerleg01": 0.15}
 """Metres around a hinge of the generic body (1.67 m) within which its rows have correctives."""
@@ -54,8 +55,8 @@ class Skinning:
 
     skeleton: Skeleton
     bones: Ints
-    weights: Floats
-    shares: Floats
+    weights: Singles
+    shares: Singles
 
 
 def find_hinges(skinning: Skinning, joints: Points, generic: Points, triangles: Ints) -> list[Hinge]:
@@ -131,7 +132,7 @@ def solve_hinge(hinge: Hinge, skinning: Skinning, rows: Points, joints: Points, 
         start = moved.copy()
         start[: hinge.free] += np.einsum("nab,nb->na", turns[: hinge.free], off)
         solved = _solve(hinge, elastic, start, side, _plane(hinge, skinning, bones.joints), FULL * full)
-        off = np.linalg.solve(turns[: hinge.free], (solved - moved)[: hinge.free, :, None])[..., 0]
+        off = np.asarray(np.linalg.solve(turns[: hinge.free], (solved - moved)[: hinge.free, :, None])[..., 0], float)
         if angle in BENDS:
             found.append(off)
     return np.stack(found)
@@ -142,9 +143,13 @@ def _skinned(
 ) -> tuple[Points, Values]:
     """The rows as skinning has them, and how each answers to a move of it as modelled (n, 3, 3)."""
     at = hinge.rows
-    of = (skinning.bones[at], skinning.weights[at], skinning.shares[at], bones.turns, bones.shifts(joints))
-    moved = skin(rest, *of)
-    answers = np.stack([skin(rest + step, *of) - moved for step in np.eye(3)], axis=2)
+    row_bones, weights, shares = skinning.bones[at], skinning.weights[at], skinning.shares[at]
+
+    def move(points: Points) -> Points:
+        return skin(points, row_bones, weights, shares, bones.turns, bones.shifts(joints))
+
+    moved = move(rest)
+    answers = np.stack([move(rest + step) - moved for step in np.eye(3)], axis=2)
     return moved, answers
 
 
@@ -186,13 +191,12 @@ def _elastic(rest: Points, triangles: Ints, free: int) -> Elastic:
         np.add.at(weights, (b, c), 0.5 * cotangents)
         np.add.at(weights, (c, b), 0.5 * cotangents)
     weights = np.where(weights != 0.0, np.maximum(weights, LEAST), 0.0)
-    i, j = np.nonzero(weights)
+    i, j = (places.astype(np.int32) for places in np.nonzero(weights))
     laplacian = np.diag(weights.sum(axis=1)) - weights
     spread = csr_array((np.ones(len(i)), (i, np.arange(len(i)))), shape=(len(rest), len(i)))
-    return Elastic(
-        i, j, weights[i, j], rest[i] - rest[j], spread, laplacian[:free, free:], np.linalg.inv(laplacian[:free, :free]),
-        float(np.diag(laplacian).mean()),
-    )  # fmt: skip
+    answer = np.asarray(np.linalg.inv(laplacian[:free, :free]), np.float64)
+    held, stiff = laplacian[:free, free:], float(np.diag(laplacian).mean())
+    return Elastic(i, j, weights[i, j], rest[i] - rest[j], spread, held, answer, stiff)
 
 
 def _volume(points: Points, triangles: Ints) -> float:
@@ -221,7 +225,7 @@ def _solve(hinge: Hinge, elastic: Elastic, start: Points, side: Values, plane: V
         pull = elastic.spread @ _pulls(elastic, points)
         right = pull[:free] - elastic.held @ points[free:]
         depth = side * ((points[:free] - middle) @ normal)
-        crossing = np.flatnonzero((depth < APART) & ((points[:free] - middle) @ inner > 0.0))
+        crossing = np.flatnonzero((depth < APART) & ((points[:free] - middle) @ inner > 0.0)).astype(np.int32)
         wanted = points[crossing] + ((APART - depth) * side)[crossing, None] * normal
         right[crossing] += HOLD * elastic.stiff * wanted
         push = _pressure(points, hinge.closed)[:free]
