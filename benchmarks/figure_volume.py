@@ -47,7 +47,9 @@ MOST_LOST = 0.07
 FEWER_FOLDS = 1.0 / 7.0
 GRID = 0.001
 """Metres between columns."""
-OURS, BARE, LINEAR = "ours", "without correctives", "linear"
+OURS = "ours"
+BARE = "without correctives"
+LINEAR = "linear"
 WAYS = (OURS, BARE, LINEAR)
 
 
@@ -58,7 +60,8 @@ def bend(skeleton: Skeleton, resting: RestingFigure, hinge: str, angle: float) -
     turns = np.zeros((len(resting.joints), 3))
     for _ in range(5):
         posed = pose_bones(skeleton, resting.joints, resting.stand, turns, np.zeros(3))
-        upper, lower = posed.joints[at[1]] - posed.joints[at[0]], posed.joints[at[2]] - posed.joints[at[1]]
+        upper = posed.joints[at[1]] - posed.joints[at[0]]
+        lower = posed.joints[at[2]] - posed.joints[at[1]]
         bent = np.arctan2(way * np.cross(upper, lower)[0], upper @ lower)
         turns[at[1], 0] += way * (np.radians(angle) - bent)
     return posed
@@ -102,7 +105,9 @@ def true_volume(rows: Points, triangles: Indices, loops: Sequence[Indices]) -> f
     columns, heights, signs = cross_columns((whole - low) / GRID)
     column = columns[:, 0] * size[1] + columns[:, 1]
     order = np.lexsort((heights, column))
-    column, heights, signs = column[order], heights[order], signs[order]
+    column = column[order]
+    heights = heights[order]
+    signs = signs[order]
     inside = np.cumsum(signs)  # each column sums to nothing
     along = np.diff(heights, append=0.0)
     return float(along[inside > 0].sum() * GRID**3)

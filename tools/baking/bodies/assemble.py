@@ -107,7 +107,8 @@ def body_arrays(
     points = person_points(person, package, base, head)
     rows = figure_points(cut, head, points)
     rows[cut.skirt.min() :] = stand_off(rows, cut)
-    joints, ends = head.metres(rig.joints(points)), head.metres(rig.ends(points))
+    joints = head.metres(rig.joints(points))
+    ends = head.metres(rig.ends(points))
     solved = [solve_hinge(hinge, skinning, rows, joints, ends) for hinge in hinges]
     found = {
         "positions": rows[cut.head_rows :],

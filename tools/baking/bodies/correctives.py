@@ -105,7 +105,8 @@ def bend_hinge(skeleton: Skeleton, joints: Points, stand: Values, names: tuple[s
     at = [skeleton.places[name] for name in names]
     posed = pose_bones(skeleton, joints, stand, turns, np.zeros(3))
     for _ in range(4):
-        upper, lower = posed.joints[at[1]] - posed.joints[at[0]], posed.joints[at[2]] - posed.joints[at[1]]
+        upper = posed.joints[at[1]] - posed.joints[at[0]]
+        lower = posed.joints[at[2]] - posed.joints[at[1]]
         bent = np.arctan2(way * np.cross(upper, lower)[0], upper @ lower)
         turns[at[1], 0] += way * (np.radians(angle) - bent)
         posed = pose_bones(skeleton, joints, stand, turns, np.zeros(3))
@@ -143,7 +144,9 @@ def _skinned(
 ) -> tuple[Points, Values]:
     """The rows as skinning has them, and how each answers to a move of it as modelled (n, 3, 3)."""
     at = hinge.rows
-    row_bones, weights, shares = skinning.bones[at], skinning.weights[at], skinning.shares[at]
+    row_bones = skinning.bones[at]
+    weights = skinning.weights[at]
+    shares = skinning.shares[at]
 
     def move(points: Points) -> Points:
         return skin(points, row_bones, weights, shares, bones.turns, bones.shifts(joints))
@@ -157,7 +160,8 @@ def _plane(hinge: Hinge, skinning: Skinning, joints: Points) -> Values:
     """The joint, the way to the inner side of the bend, and the normal of the plane that halves it, towards the upper
     segment, (3, 3)."""
     begin, middle, end = (joints[skinning.skeleton.places[name]] for name in hinge.names)
-    upper, lower = _unit(begin - middle), _unit(end - middle)
+    upper = _unit(begin - middle)
+    lower = _unit(end - middle)
     return np.stack([middle, _unit(upper + lower), _unit(upper - lower)])
 
 
@@ -186,7 +190,8 @@ def _elastic(rest: Points, triangles: Ints, free: int) -> Elastic:
     weights = np.zeros((len(rest), len(rest)))
     for corner in range(3):
         a, b, c = (triangles[:, (corner + step) % 3] for step in range(3))
-        one, two = rest[b] - rest[a], rest[c] - rest[a]
+        one = rest[b] - rest[a]
+        two = rest[c] - rest[a]
         cotangents = (one * two).sum(axis=1) / np.linalg.norm(np.cross(one, two), axis=1)
         np.add.at(weights, (b, c), 0.5 * cotangents)
         np.add.at(weights, (c, b), 0.5 * cotangents)
@@ -195,7 +200,8 @@ def _elastic(rest: Points, triangles: Ints, free: int) -> Elastic:
     laplacian = np.diag(weights.sum(axis=1)) - weights
     spread = csr_array((np.ones(len(i)), (i, np.arange(len(i)))), shape=(len(rest), len(i)))
     answer = np.asarray(np.linalg.inv(laplacian[:free, :free]), np.float64)
-    held, stiff = laplacian[:free, free:], float(np.diag(laplacian).mean())
+    held = laplacian[:free, free:]
+    stiff = float(np.diag(laplacian).mean())
     return Elastic(i, j, weights[i, j], rest[i] - rest[j], spread, held, answer, stiff)
 
 

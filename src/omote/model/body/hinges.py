@@ -16,9 +16,13 @@ BENDS = (45.0, 90.0, 130.0)
 
 
 def hinge_bends(skeleton: Skeleton, joints: Points) -> Values:
-    """How far each hinge is bent (4,), degrees from the straight limb. joints (J, 3): where bones begin, metres."""
+    """How far each hinge is bent (4,), degrees from the straight limb.
+
+    skeleton: of the figure; joints (J, 3): where bones begin, metres.
+    """
     at = joints[[[skeleton.places[name] for name in hinge] for hinge in HINGES]]
-    upper, lower = at[:, 1] - at[:, 0], at[:, 2] - at[:, 1]
+    upper = at[:, 1] - at[:, 0]
+    lower = at[:, 2] - at[:, 1]
     sines = np.linalg.norm(np.cross(upper, lower), axis=1)
     return np.asarray(np.degrees(np.arctan2(sines, (upper * lower).sum(axis=1))))
 

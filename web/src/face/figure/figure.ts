@@ -7,8 +7,7 @@ import type { FigureMix, Idle } from "../pose/pose";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
 import type { FigureJob, FigurePass, FigureTarget } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
-import { writeCalls } from "./hinges";
-import { type PosedBones, poseFigure, type RestingBones, turnHead } from "./kinematics";
+import { type PosedBones, poseFigure, type RestingBones, turnHead, writeCalls } from "./kinematics";
 import { blankPose, type MixedPose, mixFigurePoses } from "./pose_mix";
 import {
   IDENTITY,
