@@ -28,6 +28,7 @@ from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
+from omote.model.body.hinges import BENDS, HINGES
 from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.fitting.landmarks import SEVEN
 from omote.model.folding import LIDS, RANGE
@@ -225,6 +226,8 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
     "POSE_REGIONS": ("The parts of a figure that can do a pose of their own.", POSE_REGIONS),
+    "BENDS": ("Degrees from the straight limb at which bodies have correctives.", BENDS),
+    "HINGES": ("Where limbs that bend begin, where they bend and where they end, as bones.", HINGES),
     "BREATH_IN": ("The pose of a figure with a breath in its chest.", BREATH_IN),
     "CHEST": ("The pose of a figure whose chest has followed its head.", CHEST),
     "WEIGHT": ("The poses of a figure whose weight is on its left foot, and on its right.", WEIGHT),

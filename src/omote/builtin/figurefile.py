@@ -11,7 +11,9 @@ Arrays, V rows of the head, B of the body, J bones:
     uvs (k, 2), uv_rows (t, 3)
     skirt (s, 3)           triangles of the skirt
     garment/NAME           (4, V + B) cover, thick, trim, hidden: in steps of a metre, int16
-    body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3): in steps of a metre, int16; size
+    bending, bending_hinges (c,)                  rows that have correctives, and which hinge calls them
+    body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3), correctives (3 c, 3): in steps of a
+                           metre, int16; size
 """
 
 from __future__ import annotations
@@ -34,10 +36,10 @@ from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import NamedPose
 from omote.model.body.skeleton import Skeleton
 
-FIGURE_FORMAT = 2
+FIGURE_FORMAT = 3
 STEPS_OF_A_METRE = 15_000
 """Steps of 16 bits in which places are kept: a fifteenth of a millimetre, as far as 2.18 m from the eyes."""
-PLACES = ("positions", "edge", "joints", "ends")
+PLACES = ("positions", "edge", "joints", "ends", "correctives")
 Arrays = Mapping[str, NDArray[Any]]
 
 
@@ -66,6 +68,8 @@ def figures_of(arrays: Arrays, recipes: Iterable[NamedPose]) -> Figures:
         uvs=arrays["uvs"],
         uv_rows=arrays["uv_rows"],
         skirt=arrays["skirt"],
+        bending=arrays["bending"],
+        bending_hinges=arrays["bending_hinges"].astype(np.int32),
     )
     written = {recipe.name: recipe for recipe in recipes}
     bodies = {name: _body(arrays, name) for name in about["bodies"]}

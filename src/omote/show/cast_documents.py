@@ -297,8 +297,8 @@ class FigureAsset(msgspec.Struct, frozen=True):
     65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
     head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
     `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
-    are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
-    the manifest's order (`model.body.garment`).
+    are the last of the body; `bending` (c,) u32 rows with correctives, `bending_hinges` (c,) u8; `garments` (g, V + B,
+    4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`).
     """
 
     bones: list[str]
@@ -317,16 +317,20 @@ class FigureAsset(msgspec.Struct, frozen=True):
     uvs: bytes
     uv_rows: bytes
     skirt: bytes
+    bending: bytes
+    bending_hinges: bytes
     garments: bytes
 
 
 class BodyAsset(msgspec.Struct, frozen=True):
-    """A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3)."""
+    """A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3),
+    `correctives` (3 c, 3) of the rows that bend."""
 
     positions: bytes
     edge: bytes
     joints: bytes
     ends: bytes
+    correctives: bytes
 
 
 class AllowanceDocument(msgspec.Struct, frozen=True):

@@ -68,6 +68,8 @@ def figure_asset(figures: Figures) -> FigureAsset:
         uvs=le_bytes(space.uvs, "<f4"),
         uv_rows=le_bytes(space.uv_rows, "<u4"),
         skirt=le_bytes(space.skirt, "<u4"),
+        bending=le_bytes(space.bending, "<u4"),
+        bending_hinges=le_bytes(space.bending_hinges, "u1"),
         garments=b"".join(garment_bytes(garment) for garment in figures.garments.values()),
     )
 
@@ -79,7 +81,8 @@ def garment_bytes(garment: Garment) -> bytes:
 
 def body_asset(body: Body) -> BodyAsset:
     """One body."""
-    return BodyAsset(*(le_bytes(getattr(body, what), "<f4") for what in ("positions", "edge", "joints", "ends")))
+    parts = ("positions", "edge", "joints", "ends", "correctives")
+    return BodyAsset(*(le_bytes(getattr(body, what), "<f4") for what in parts))
 
 
 def pose_document(pose: Pose) -> PoseDocument:

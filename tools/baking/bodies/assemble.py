@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from omote.model.body.garment import FIELDS
 from omote.model.body.skeleton import SIDES
 from tools.baking.assemble import Arrays
 from tools.baking.bodies.builds import FIGURES
+from tools.baking.bodies.correctives import Hinge, Skinning, find_hinges, solve_hinge
 from tools.baking.bodies.figure_cut import FigureCut, cut_figure, figure_points
 from tools.baking.bodies.garments import garments
 from tools.baking.bodies.neck_join import find_join
@@ -51,6 +52,8 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
     names = json.dumps({"bones": rig.skeleton.names, "bodies": [*FIGURES], "garments": listed})
     shares = dual_shares(rig, generic, head.metres(base.points))
     shares[first_of_skirt:] = 0.0  # cloth between two legs has no limb of its own that could keep it round
+    skinning = Skinning(rig.skeleton, bones, weights.astype(np.float32), shares.astype(np.float32))
+    hinges = find_hinges(skinning, joints, generic, cut.triangles)
     arrays: Arrays = {
         "format": np.array(FIGURE_FORMAT),
         "about": np.frombuffer(names.encode(), np.uint8),
@@ -69,11 +72,13 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
         "uvs": cut.uvs,
         "uv_rows": cut.uv_rows,
         "skirt": cut.skirt,
+        "bending": np.concatenate([hinge.rows[: hinge.free] for hinge in hinges]).astype(np.int32),
+        "bending_hinges": np.repeat(np.arange(len(hinges)), [hinge.free for hinge in hinges]).astype(np.uint8),
     }
     for garment in worn:
         arrays[f"garment/{garment.name}"] = in_steps(np.stack([getattr(garment, field) for field in FIELDS]))
     for name in FIGURES:
-        arrays |= body_arrays(name, package, base, head, cut, rig)
+        arrays |= body_arrays(name, package, base, head, cut, rig, skinning, hinges)
         step(name)
     return arrays
 
@@ -92,18 +97,25 @@ def dual_shares(rig: Rig, generic: Floats, points: Floats) -> Floats:
     return np.asarray(shares)
 
 
-def body_arrays(name: str, package: Package, base: BaseMesh, head: Head, cut: FigureCut, rig: Rig) -> Arrays:
-    """The rows, edge, joints and ends of one body, in steps of a metre. name: of `FIGURES`; the rest as of
-    `figure_arrays`."""
+def body_arrays(
+    name: str, package: Package, base: BaseMesh, head: Head, cut: FigureCut, rig: Rig, skinning: Skinning,
+    hinges: Sequence[Hinge],
+) -> Arrays:  # fmt: skip
+    """The rows, edge, joints, ends and correctives of one body, in steps of a metre. name: of `FIGURES`; the rest as of
+    `figure_arrays` and `find_hinges`."""
     person = FIGURES[name].as_person(name)
     points = person_points(person, package, base, head)
     rows = figure_points(cut, head, points)
     rows[cut.skirt.min() :] = stand_off(rows, cut)
+    joints = head.metres(rig.joints(points))
+    ends = head.metres(rig.ends(points))
+    solved = [solve_hinge(hinge, skinning, rows, joints, ends) for hinge in hinges]
     found = {
         "positions": rows[cut.head_rows :],
         "edge": rows[cut.edge],
-        "joints": head.metres(rig.joints(points)),
-        "ends": head.metres(rig.ends(points)),
+        "joints": joints,
+        "ends": ends,
+        "correctives": np.concatenate(solved, axis=1).reshape(-1, 3),
     }
     packed = {what: in_steps(values) for what, values in found.items()}
     return {f"body/{name}/{what}": values for what, values in packed.items()} | {

@@ -80,6 +80,10 @@ export const DEFAULT_EASING = "smooth";
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 /** The parts of a figure that can do a pose of their own. */
 export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"] as const;
+/** Degrees from the straight limb at which bodies have correctives. */
+export const BENDS = [45.0, 90.0, 130.0] as const;
+/** Where limbs that bend begin, where they bend and where they end, as bones. */
+export const HINGES = [["upperarm01.L", "lowerarm01.L", "wrist.L"], ["upperarm01.R", "lowerarm01.R", "wrist.R"], ["upperleg01.L", "lowerleg01.L", "foot.L"], ["upperleg01.R", "lowerleg01.R", "foot.R"]] as const;
 /** The pose of a figure with a breath in its chest. */
 export const BREATH_IN = "breath_in";
 /** The pose of a figure whose chest has followed its head. */

@@ -1,6 +1,7 @@
 /** Reads figures: what all bodies share, each body, and the poses. */
 
 import { aligned } from "./arrays";
+import { BENDS, HINGES } from "./constants";
 import type { BodyAsset, FigureAsset, PoseDocument } from "./messages";
 
 /** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body, a skirt's the last. */
@@ -29,16 +30,21 @@ export interface FigureSpace {
   /** Triangles of the skirt, as rows, and the first of these. */
   readonly skirt: Uint32Array;
   readonly firstOfSkirt: number;
+  /** Rows that have correctives (c,), and which hinge calls them. */
+  readonly bending: Uint32Array;
+  readonly bendingHinges: Uint8Array;
   /** By name: cover, thick, trim and hidden of each row (V + B, 4), metres (`model.body.garment`). */
   readonly garments: ReadonlyMap<string, Float32Array>;
 }
 
-/** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3). */
+/** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3), and
+ * its correctives (3 c, 3): of the rows that bend, by the first of the `BENDS`, the second, the third. */
 export interface Body {
   readonly positions: Float32Array;
   readonly edge: Float32Array;
   readonly joints: Float32Array;
   readonly ends: Float32Array;
+  readonly correctives: Float32Array;
 }
 
 /** A pose (`model.body.pose`): rotation vectors (bones, 3), radians; hips and feet (2, 3), leg lengths. */
@@ -79,6 +85,8 @@ export function readFigureSpace(asset: FigureAsset, skin: number, garments: read
     headJoint: new Uint32Array(aligned(asset.head_joint)),
     headJointOffset: asset.head_joint_offset,
     skirt,
+    bending: new Uint32Array(aligned(asset.bending)),
+    bendingHinges: new Uint8Array(aligned(asset.bending_hinges)),
     firstOfSkirt: skirt.reduce((least, row) => Math.min(least, row), rows),
     garments: new Map(garments.map((name, place) => [name, worn.subarray(4 * rows * place, 4 * rows * (place + 1))])),
   };
@@ -92,6 +100,9 @@ export function readFigureSpace(asset: FigureAsset, skin: number, garments: read
     [space.triangles, skirt].every((corners) => corners.every((row) => row < rows)) &&
     rowBones.every((bone) => bone < asset.bones.length) &&
     [edge, space.headJoint].every((named) => named.every((row) => row < skin)) &&
+    space.bendingHinges.length === space.bending.length &&
+    space.bending.every((row) => row >= skin && row < rows) &&
+    space.bendingHinges.every((hinge) => hinge < HINGES.length) &&
     joined.every((row) => row < space.bodyRows);
   if (!fits) throw new Error(`The figures of ${rows} rows do not fit a head of ${skin}; bake the cast again.`);
   return space;
@@ -108,18 +119,19 @@ function summedUp(weights: Uint16Array): Uint16Array {
 
 /** A body as typed arrays; an Error when it does not fit the space. */
 export function readBody(asset: BodyAsset, space: FigureSpace): Body {
-  const [positions, edge, joints, ends] = [asset.positions, asset.edge, asset.joints, asset.ends].map(
-    (bytes) => new Float32Array(aligned(bytes)),
-  ) as [Float32Array, Float32Array, Float32Array, Float32Array];
+  const read = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));
+  const [positions, edge, correctives] = [read(asset.positions), read(asset.edge), read(asset.correctives)];
+  const [joints, ends] = [read(asset.joints), read(asset.ends)];
   const bones = 3 * space.bones.length;
   if (
     positions.length !== 3 * space.bodyRows ||
     edge.length !== 3 * space.edge.length ||
     joints.length !== bones ||
-    ends.length !== bones
+    ends.length !== bones ||
+    correctives.length !== 3 * BENDS.length * space.bending.length
   )
     throw new Error(`A body of ${positions.length / 3} rows does not fit figures of ${space.bodyRows}.`);
-  return { positions, edge, joints, ends };
+  return { positions, edge, joints, ends, correctives };
 }
 
 /** A pose as typed arrays. */

@@ -2123,8 +2123,8 @@ export type HairAsset = {
  * 65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
  * head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
  * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
- * are the last of the body; `garments` (g, V + B, 4) f32, metres: cover, thick, trim and hidden of each garment, in
- * the manifest's order (`model.body.garment`).
+ * are the last of the body; `bending` (c,) u32 rows with correctives, `bending_hinges` (c,) u8; `garments` (g, V + B,
+ * 4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`).
  */
 export type FigureAsset = {
   bones: string[];
@@ -2143,11 +2143,22 @@ export type FigureAsset = {
   uvs: Uint8Array;
   uv_rows: Uint8Array;
   skirt: Uint8Array;
+  bending: Uint8Array;
+  bending_hinges: Uint8Array;
   garments: Uint8Array;
 };
 
-/** A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3). */
-export type BodyAsset = { positions: Uint8Array; edge: Uint8Array; joints: Uint8Array; ends: Uint8Array };
+/**
+ * A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3),
+ * `correctives` (3 c, 3) of the rows that bend.
+ */
+export type BodyAsset = {
+  positions: Uint8Array;
+  edge: Uint8Array;
+  joints: Uint8Array;
+  ends: Uint8Array;
+  correctives: Uint8Array;
+};
 
 /**
  * What one compound alone uses up of the correctives' limits (`perform.blending.correctives`), little-endian:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,6 +31,9 @@ class Body:
     size : float
         By how much it is drawn larger than its person is: children are enlarged, so that they fill a stage that is
         framed for adults.
+    correctives : array_like, (3 c, 3)
+        What is added to the rows that bend (`FigureSpace.bending`, c of them) before they are skinned, metres: of a
+        hinge that is bent by the first of `omote.model.body.hinges.BENDS`, then by the second, then the third.
 
     Raises
     ------
@@ -48,11 +51,14 @@ class Body:
     joints: Floats
     ends: Floats
     size: float = 1.0
+    correctives: Floats = field(default_factory=lambda: np.zeros((0, 3), np.float32))
 
     def __post_init__(self) -> None:
         refuse_name(self.name, "a body")
         for what in ("positions", "edge", "joints", "ends"):
             object.__setattr__(self, what, _freeze(getattr(self, what), f"{what} of body {self.name!r}"))
+        if len(self.correctives):
+            object.__setattr__(self, "correctives", _freeze(self.correctives, f"correctives of body {self.name!r}"))
         if not 0.1 <= self.size <= 10.0:
             raise ValueError(f"the size of body {self.name!r} is {self.size}; expected 0.1 to 10")
 

@@ -46,6 +46,8 @@ class FigureSpace:
         Texture coordinates (k, 2), (0, 0) the upper left corner, and the row of `uvs` at each triangle's corner (t, 3).
     skirt : (s, 3) of int
         Triangles of the skirt, whose rows are the last of the body; garments show it or leave it out.
+    bending, bending_hinges : (c,) of int
+        Rows of the figure that have correctives, and which of `omote.model.body.hinges.HINGES` calls them.
 
     References
     ----------
@@ -68,6 +70,8 @@ class FigureSpace:
     uvs: Floats
     uv_rows: Triangles
     skirt: Triangles = field(default_factory=lambda: np.zeros((0, 3), np.int32))
+    bending: Indices = field(default_factory=lambda: np.zeros(0, np.int32))
+    bending_hinges: Indices = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:
         count = len(self.bones)
@@ -80,6 +84,8 @@ class FigureSpace:
             raise ValueError("the weights of a figure's rows do not sum to one")
         if self.join.shape != (len(self.joined), len(self.edge)):
             raise ValueError(f"the join is {self.join.shape}; expected ({len(self.joined)}, {len(self.edge)})")
+        if self.bending.shape != self.bending_hinges.shape:
+            raise ValueError(f"{len(self.bending)} rows bend on {len(self.bending_hinges)} hinges; expected one each")
         for name in (
             "triangles",
             "bones",
@@ -92,6 +98,8 @@ class FigureSpace:
             "uvs",
             "uv_rows",
             "skirt",
+            "bending",
+            "bending_hinges",
         ):
             freeze(getattr(self, name))
 

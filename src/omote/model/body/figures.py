@@ -9,6 +9,7 @@ from types import MappingProxyType
 from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.garment import Garment
+from omote.model.body.hinges import BENDS
 from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.known_names import KnownNames
@@ -48,10 +49,13 @@ class Figures:
             raise ValueError("figures have no body; expected one at least")
         bones = len(self.space.skeleton.names)
         for name, body in self.bodies.items():
-            shapes = (body.positions.shape, body.edge.shape, body.joints.shape, body.ends.shape)
-            expected = ((self.space.body_rows, 3), (len(self.space.edge), 3), (bones, 3), (bones, 3))
+            shapes = (body.positions.shape, body.edge.shape, body.joints.shape, body.ends.shape, body.correctives.shape)
+            counts = (self.space.body_rows, len(self.space.edge), bones, bones, len(BENDS) * len(self.space.bending))
+            expected = tuple((count, 3) for count in counts)
             if shapes != expected:
-                raise ValueError(f"body {name!r} has rows, edge, joints and ends of {shapes}; expected {expected}")
+                raise ValueError(
+                    f"body {name!r} has rows, edge, joints, ends and correctives of {shapes}; expected {expected}"
+                )
         for name, pose in self.poses.items():
             if pose.turns.shape != (bones, 3):
                 raise ValueError(f"pose {name!r} turns {len(pose.turns)} bones; expected {bones}")

@@ -11,6 +11,7 @@ from omote.arrays import Floats, Points, Values
 from omote.geometry.skinning import skin
 from omote.model.body.figure_space import FigureSpace, hang_joints, join_head
 from omote.model.body.figures import Figures
+from omote.model.body.hinges import BENDS, corrective_weights, hinge_bends
 from omote.model.body.posed_bones import PosedBones, place_bones, pose_bones
 from omote.model.body.skeleton import LEG, SIDES, Skeleton
 from omote.model.body.stand import stand_turns
@@ -30,13 +31,15 @@ AHEAD = np.array([0.0, 0.0, 1.0])
 @dataclass(frozen=True, eq=False)
 class RestingFigure:
     """A figure before it is posed. rows (V + B, 3): head and body; joints (J, 3); stand (J, 3, 3): rotations to the
-    stand; ankles (2, 3): where they are there; leg: its length; metres."""
+    stand; ankles (2, 3): where they are there; leg: its length; correctives
+    (3 c, 3): of the mix, as of `Body`; metres."""
 
     rows: Points
     joints: Points
     stand: Values
     ankles: Points
     leg: float
+    correctives: Points
 
 
 def resting_figure(figures: Figures, bodies: Weights, head: Points, rest: Points | None = None) -> RestingFigure:
@@ -48,16 +51,16 @@ def resting_figure(figures: Figures, bodies: Weights, head: Points, rest: Points
     space = figures.space
     still = head if rest is None else rest
     parts = [(weight, figures.body_of(name)) for name, weight in bodies.items()]
-    body, edge, joints, ends = (
+    body, edge, joints, ends, correctives = (
         sum(weight * getattr(part, what).astype(np.float64) for weight, part in parts)
-        for what in ("positions", "edge", "joints", "ends")
+        for what in ("positions", "edge", "joints", "ends", "correctives")
     )
     hung = hang_joints(space, joints, edge, still)
     turns = stand_turns(space.skeleton, hung, ends + (hung[0] - joints[0]))
     rows = np.concatenate([head, join_head(space, body, edge, head)])
     standing = place_bones(space.skeleton, hung, turns, np.tile(np.eye(3), (len(hung), 1, 1)), np.zeros(3))
     ankles = standing.joints[[space.skeleton.places[f"foot.{side}"] for side in SIDES]]
-    return RestingFigure(rows, hung, turns, ankles, _leg_length(space.skeleton, hung))
+    return RestingFigure(rows, hung, turns, ankles, _leg_length(space.skeleton, hung), correctives)
 
 
 def _leg_length(skeleton: Skeleton, joints: Points) -> float:
@@ -105,9 +108,19 @@ def pose_figure(space: FigureSpace, resting: RestingFigure, pose: MixedPose) -> 
     return place_bones(skeleton, resting.joints, resting.stand, frames, travel)
 
 
+def bent_rows(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> Points:
+    """The rows (V + B, 3) of a figure as modelled with the correctives of its bent elbows and knees, metres, to be
+    skinned. space, resting, bones: as of `pose_figure`."""
+    if len(space.bending) == 0:
+        return resting.rows
+    weights = corrective_weights(hinge_bends(space.skeleton, bones.joints))[space.bending_hinges]
+    rows = resting.rows.copy()
+    rows[space.bending] += np.einsum("ca,acx->cx", weights, resting.correctives.reshape(len(BENDS), -1, 3))
+    return rows
+
+
 def skin_figure(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> Floats:
     """The rows (V + B, 3) of a posed figure, metres. space, resting, bones: as of `pose_figure`."""
-    moved = skin(
-        resting.rows, space.bones, space.weights, space.shares, bones.turns, bones.shifts(resting.joints)
-    )  # fmt: skip
+    rows = bent_rows(space, resting, bones)
+    moved = skin(rows, space.bones, space.weights, space.shares, bones.turns, bones.shifts(resting.joints))
     return moved.astype(np.float32)

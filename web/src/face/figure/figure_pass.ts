@@ -1,5 +1,6 @@
 /** Hangs bodies below heads on the GPU, and skins both: positions and normals of whole figures. */
 
+import { BENDS } from "../../link/constants";
 import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
@@ -23,6 +24,8 @@ export interface FigureJob {
   readonly bones: Float32Array;
   readonly bodies: readonly (readonly [layer: number, weight: number])[];
   readonly bodyEdge: Float32Array;
+  /** How much of each corrective each hinge calls (hinges, bends). */
+  readonly calls: Float32Array;
   /** The head as it is blended. */
   readonly head: WebGLTexture;
   readonly target: FigureTarget;
@@ -52,13 +55,17 @@ export class FigurePass {
     skin: Uint32Array,
   ) {
     this.space = space;
-    const { headRows, bodyRows, edge, rim, triangles, skirt } = space;
+    const { headRows, bodyRows, edge, rim, triangles, skirt, bending } = space;
     this.rows = headRows + bodyRows;
     this.dressed = suitFor(space, first);
     this.height = Math.ceil(this.rows / ROW_WIDTH);
     this.programs = {
       edge: createProgram(gl, PASS_VERTEX, edgeFragment(edge.length, rim)),
-      figure: createProgram(gl, PASS_VERTEX, figureFragment({ head: headRows, body: bodyRows, edge: edge.length })),
+      figure: createProgram(
+        gl,
+        PASS_VERTEX,
+        figureFragment({ head: headRows, body: bodyRows, edge: edge.length, bending: bending.length }),
+      ),
       normal: createProgram(gl, PASS_VERTEX, NORMAL_FRAGMENT),
     };
     const around = fans([skin, triangles, skirt], this.rows);
@@ -100,10 +107,10 @@ export class FigurePass {
   layerOf(name: string, body: Body): number {
     const layer = this.layers.get(name);
     if (layer !== undefined) return layer;
-    const positions = this.dressed(body);
+    const rows = [...this.dressed(body), ...body.correctives];
     const next = this.layers.size;
     const texels = new Float32Array(4 * ROW_WIDTH * this.bodyLines);
-    for (let row = 0; 3 * row < positions.length; row++) texels.set(positions.subarray(3 * row, 3 * row + 3), 4 * row);
+    for (let at = 0; at < rows.length; at++) texels[4 * Math.floor(at / 3) + (at % 3)] = rows[at] as number;
     const { gl } = this;
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, next, ROW_WIDTH, this.bodyLines, 1, gl.RGBA, gl.FLOAT, texels);
@@ -144,10 +151,11 @@ export class FigurePass {
   }
 
   private get bodyLines(): number {
-    return Math.ceil(this.space.bodyRows / ROW_WIDTH);
+    const { bodyRows, bending } = this.space;
+    return Math.ceil((bodyRows + BENDS.length * bending.length) / ROW_WIDTH);
   }
 
-  private drawFigure({ bones, bodies, bodyEdge, head, target }: FigureJob): void {
+  private drawFigure({ bones, bodies, bodyEdge, calls, head, target }: FigureJob): void {
     const { gl, space, programs, shared, off, height } = this;
     const edges = space.edge.length;
     gl.activeTexture(gl.TEXTURE0);
@@ -163,6 +171,7 @@ export class FigurePass {
     });
     gl.uniform2fv(uniformAt(gl, programs.figure, "mixed"), this.mixed);
     gl.uniform1i(uniformAt(gl, programs.figure, "count"), Math.min(bodies.length, MOST_BODIES));
+    gl.uniform3fv(uniformAt(gl, programs.figure, "calls"), calls);
     gl.activeTexture(gl.TEXTURE5);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
     gl.uniform1i(uniformAt(gl, programs.figure, "bodies"), 5);
@@ -190,8 +199,17 @@ export class FigurePass {
   }
 }
 
-/** Eight numbers a row: its bones (bytes), its weights (pairs), its share, and its place among the joined, from 1. */
-function packedRows({ rowBones, rowWeights, shares, joined, headRows }: FigureSpace): Uint32Array {
+/** Eight numbers a row: its bones (bytes), its weights (pairs), its share with its place among those that
+ * bend, from 1, and their hinge (from bits 0, 8, 24), and its place among the joined, from 1. */
+function packedRows({
+  rowBones,
+  rowWeights,
+  shares,
+  joined,
+  headRows,
+  bending,
+  bendingHinges,
+}: FigureSpace): Uint32Array {
   const rows = shares.length;
   const packed = new Uint32Array(8 * rows);
   for (let row = 0; row < rows; row++) {
@@ -204,6 +222,10 @@ function packedRows({ rowBones, rowWeights, shares, joined, headRows }: FigureSp
     }
     packed[8 * row + 6] = shares[row] as number;
   }
+  bending.forEach((row, place) => {
+    const hinge = bendingHinges[place] as number;
+    packed[8 * row + 6] = ((packed[8 * row + 6] as number) | ((place + 1) << 8) | (hinge << 24)) >>> 0;
+  });
   joined.forEach((row, place) => {
     packed[8 * (headRows + row) + 7] = place + 1;
   });

@@ -1,5 +1,6 @@
 /** Shaders of the passes that hang a body below a head and skin both. */
 
+import { BENDS, HINGES } from "../../link/constants";
 import { PASS_HEAD, ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /** Bodies that are mixed at most. */
@@ -40,13 +41,17 @@ export interface FigureRows {
   readonly head: number;
   readonly body: number;
   readonly edge: number;
+  /** Those that have correctives, which lie behind the body's rows in each of the bodies' layers. */
+  readonly bending: number;
 }
+
+const CALLS = `vec${BENDS.length}`;
 
 /**
  * The rows of a figure: those of the head as they are blended, those of the body summed over bodies and joined to the
- * head's edge; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
+ * head's edge; those of bent elbows and knees with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
  */
-export const figureFragment = ({ head, body, edge }: FigureRows): string => `${PASS_HEAD}
+export const figureFragment = ({ head, body, edge, bending }: FigureRows): string => `${PASS_HEAD}
 uniform sampler2D head;
 uniform sampler2DArray bodies;
 uniform usampler2D rows;
@@ -55,6 +60,7 @@ uniform sampler2D off;
 uniform sampler2D bones;
 uniform vec2 mixed[${MOST_BODIES}]; // layer, weight
 uniform int count;
+uniform ${CALLS} calls[${HINGES.length}]; // of correctives, by hinge
 out vec4 position;
 ${ROW_TEXEL}
 
@@ -68,6 +74,17 @@ vec3 bodyAt(int row, int joined) {
   return sum;
 }
 
+vec3 correctiveAt(int place, ${CALLS} called) {
+  vec3 sum = vec3(0.0);
+  for (int bend = 0; bend < ${BENDS.length}; bend++) {
+    if (called[bend] == 0.0) continue;
+    ivec2 at = texelOf(${body} + bend * ${bending} + place);
+    for (int i = 0; i < count; i++)
+      sum += called[bend] * mixed[i].y * texelFetch(bodies, ivec3(at, int(mixed[i].x)), 0).xyz;
+  }
+  return sum;
+}
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   int row = (at.y << ${ROW_SHIFT}) + at.x;
@@ -76,9 +93,11 @@ void main() {
   uvec4 first = texelFetch(rows, ivec2(2 * at.x, at.y), 0);
   uvec4 second = texelFetch(rows, ivec2(2 * at.x + 1, at.y), 0);
   vec3 here = row < ${head} ? texelFetch(head, at, 0).xyz : bodyAt(row - ${head}, int(second.w) - 1);
+  int bent = int((second.z >> 8) & 65535u) - 1;
+  if (bent >= 0) here += correctiveAt(bent, calls[int(second.z >> 24)]);
   uvec4 named = uvec4(first.xy, 0u, 0u);
   uvec4 pairs = uvec4(first.zw, second.xy); // of weights
-  float share = float(second.z) / 255.0;
+  float share = float(second.z & 255u) / 255.0;
   vec3 linear = vec3(0.0);
   vec4 real = vec4(0.0), dual = vec4(0.0), leading = vec4(0.0);
   for (int i = 0; i < 8; i++) {

@@ -1,8 +1,9 @@
 /** Where the bones of a figure are in a pose, as `perform.figures.figure` has it. */
 
+import { BENDS, HINGES } from "../../link/constants";
 import { reachFoot } from "./legs";
 import type { MixedPose } from "./pose_mix";
-import { minus, plus, product, type Rotation, rotationOf, scaled, turnedBy, type Vector } from "./rotations";
+import { cross, dot, length, minus, plus, product, type Rotation, rotationOf, scaled, turnedBy, type Vector } from "./rotations";
 import { LEG, placeOf, SIDES, type Skeleton } from "./skeleton";
 
 /** Of the head's turn, how much each bone makes. */
@@ -81,4 +82,26 @@ export function placeJoints(
     joints.push(plus(joints[parent] as Vector, turnedBy(turns[parent] as Rotation, along)));
   }
   return joints;
+}
+
+const KNOTS = [0, ...BENDS];
+
+/** Writes how much of each corrective hinges call (hinges, bends), linear between bends; `joints`: where bones begin. */
+export function writeCalls(skeleton: Skeleton, joints: readonly Vector[], into: Float32Array): void {
+  into.fill(0);
+  HINGES.forEach((names, hinge) => {
+    const [begin, middle, end] = names.map((name) => joints[placeOf(skeleton, name)]) as [Vector, Vector, Vector];
+    const [upper, lower] = [minus(middle, begin), minus(end, middle)];
+    const degrees = (Math.atan2(length(cross(upper, lower)), dot(upper, lower)) * 180) / Math.PI;
+    const next = KNOTS.findIndex((knot) => degrees < knot);
+    const first = hinge * BENDS.length;
+    if (next < 0) {
+      into[first + BENDS.length - 1] = 1;
+      return;
+    }
+    const [low, high] = [KNOTS[next - 1] as number, KNOTS[next] as number];
+    const share = (degrees - low) / (high - low);
+    into[first + next - 1] = share;
+    if (next > 1) into[first + next - 2] = 1 - share;
+  });
 }
