@@ -34,9 +34,9 @@ export type Leg = { at: [number, number, number]; foot: [number, number, number]
 
 /**
  * A pose of any body.
- * hips: where they go, leg lengths to the character's left, up and
- * ahead; turn: of the hips; trunk: of the spine; head: of neck and head; each bent forward, turned to the character's
- * left and leant to its left, degrees. left, right: arms; left_leg, right_leg.
+ * hips: where they go, leg lengths to the character's left, up and ahead; turn: of the hips; trunk: of the spine;
+ * head: of neck and head; each bent forward, turned to the character's left and leant to its left, degrees. left,
+ * right: arms; left_leg, right_leg.
  */
 export type PoseRecipe = {
   kind: "pose";
