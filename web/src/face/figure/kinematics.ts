@@ -3,7 +3,19 @@
 import { BENDS, HINGES } from "../../link/constants";
 import { reachFoot } from "./legs";
 import type { MixedPose } from "./pose_mix";
-import { cross, dot, length, minus, plus, product, type Rotation, rotationOf, scaled, turnedBy, type Vector } from "./rotations";
+import {
+  cross,
+  dot,
+  length,
+  minus,
+  plus,
+  product,
+  type Rotation,
+  rotationOf,
+  scaled,
+  turnedBy,
+  type Vector,
+} from "./rotations";
 import { LEG, placeOf, SIDES, type Skeleton } from "./skeleton";
 
 /** Of the head's turn, how much each bone makes. */
