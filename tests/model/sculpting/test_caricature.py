@@ -7,7 +7,14 @@ import pytest
 
 import omote
 from omote.geometry.proximity import nearest_triangles, winding_numbers
-from omote.model.sculpting.caricature import caricature, extrapolate, find_folds, repair_folds, stand_around_axis
+from omote.model.sculpting.caricature import (
+    caricature,
+    extrapolate,
+    find_folds,
+    find_way_back,
+    repair_folds,
+    stand_around_axis,
+)
 from omote.model.space.face import Face
 from omote.model.transfer.mouth_bag import find_mouth_bag
 from tests.synthetic import FACES, cast, space
@@ -142,3 +149,16 @@ def test_a_cats_ears_do_not_meet_over_its_head(amount: float) -> None:
     made = caricature(CAST.space, CAST.faces["cat"], amount).positions
     assert ears.sum() > 20
     assert (made[ears, 0] * np.sign(rest[ears, 0])).min() > 0.01
+
+
+@pytest.mark.parametrize(("low", "high"), [(0.0021, 1.0), (0.0121, 0.0312), (0.0581, 1.0)])
+def test_the_first_place_around_the_axis_is_found_though_farther_back_there_may_be_none(
+    monkeypatch: pytest.MonkeyPatch, low: float, high: float
+) -> None:
+    """Only 0 and 60 mm were asked: a cat drawn three times itself was refused, which stands at 5 to 30 mm."""
+    monkeypatch.setattr(
+        "omote.model.sculpting.caricature._is_around_axis", lambda _space, _skin, back: low <= back <= high
+    )
+    assert find_way_back(space(), space().points) == pytest.approx(low, abs=1e-4)
+    monkeypatch.setattr("omote.model.sculpting.caricature._is_around_axis", lambda *_: False)
+    assert find_way_back(space(), space().points) is None

@@ -167,8 +167,9 @@ _SPREAD_ROUNDS = 3
 TONGUE = "tongue"
 BEHIND = 0.012
 """The back of a caricature's head lies at least so far behind the axis, metres."""
-# How far the back may be moved, and how exactly that is found, metres.
+# How far the back may be moved, in which steps that is tried, and how exactly it is found, metres.
 _FARTHEST = 0.06
+_STEP = 0.005
 _EXACT = 1e-4
 MOST_AMOUNT = 3.0
 """Of caricature: as far as people still read a face."""
@@ -270,10 +271,12 @@ def find_way_back(space: ParameterSpace, skin: Values, /) -> float | None:
     """
     if _is_around_axis(space, skin, 0.0):
         return 0.0
-    nearest = 0.0
-    farthest = _FARTHEST
-    if not _is_around_axis(space, skin, farthest):
+    # A head that is bent stands around the axis here and there on the way back: the first place counts.
+    steps = _STEP * np.arange(1, round(_FARTHEST / _STEP) + 1)
+    farthest = next((float(step) for step in steps if _is_around_axis(space, skin, float(step))), None)
+    if farthest is None:
         return None
+    nearest = farthest - _STEP
     while farthest - nearest > _EXACT:
         middle = 0.5 * (nearest + farthest)
         nearest, farthest = (nearest, middle) if _is_around_axis(space, skin, middle) else (middle, farthest)
