@@ -21,5 +21,6 @@ def posed_figure(figure: ExportedFigure, pose: str) -> PosedBones:
 
 
 def stage_points(figure: ExportedFigure, mesh: str, bones: PosedBones) -> np.ndarray:
-    """The vertices of a mesh of the body (n, 3) in the scene."""
-    return replace(figure, rest=bones).worn(mesh)[0] + figure.shift
+    """The vertices of a mesh of the body (n, 3) in the scene, but for correctives, which files do not carry."""
+    bare = replace(figure.resting, correctives=np.zeros_like(figure.resting.correctives))
+    return replace(figure, resting=bare, rest=bones).worn(mesh)[0] + figure.shift
