@@ -65,13 +65,13 @@ class ShowTools:
 
         name: of the tool; arguments: as its schema has them.
         """
+        if name not in self._own and name not in self._commands:
+            return _failed(f"there is no tool {name!r:.80} for this token; list the tools")
         try:
             if name in self._own:
                 return mcp_types.CallToolResult(content=list(await self._own_calls[name](**arguments)))
             await self._send(self._commands[name], arguments)
-        except KeyError:
-            return _failed(f"there is no tool {name!r:.80} for this token; list the tools")
-        except (ValueError, TypeError, ConnectionError, FileNotFoundError, BrowserError) as error:
+        except (ValueError, TypeError, OSError, aiohttp.ClientError, BrowserError) as error:
             return _failed(str(error))
         return mcp_types.CallToolResult(content=[_text("done")])
 
