@@ -87,11 +87,17 @@ def played(harness: EditHarness) -> PlayingCast:
     return build_playing_cast(harness.cast, own_things(harness.session.authored.state), contents)
 
 
-def test_an_own_pose_is_made_changed_undone_saved_and_plays(cast: Cast) -> None:
-    cast = replace(cast, figures=load_figures())
-    harness = EditHarness(cast)
-    harness.make_baked = OrderRunner(cast).run
+def with_figures(cast: Cast) -> EditHarness:
+    """An editor of a cast that has bodies and poses, with one who has said hello."""
+    full = replace(cast, figures=load_figures())
+    harness = EditHarness(full)
+    harness.make_baked = OrderRunner(full).run
     harness.greet("ann")
+    return harness
+
+
+def test_an_own_pose_is_made_changed_undone_saved_and_plays(cast: Cast) -> None:
+    harness = with_figures(cast)
     draft = harness.ask("ann", wire.CreatePose, "Pointing", STAND)
     assert draft.recipe == PoseRecipe()
     pointing = PoseRecipe(trunk=(10.0, 0.0, 0.0), hips=(0.0, -0.1, 0.0))
@@ -118,12 +124,9 @@ def test_an_own_pose_is_made_changed_undone_saved_and_plays(cast: Cast) -> None:
 
 
 def test_a_pose_that_no_joint_can_do_is_refused(cast: Cast) -> None:
-    cast = replace(cast, figures=load_figures())
-    harness = EditHarness(cast)
-    harness.make_baked = OrderRunner(cast).run
-    harness.greet("ann")
+    harness = with_figures(cast)
     draft = harness.ask("ann", wire.CreatePose, "Bad", STAND)
     nowhere = PoseRecipe(hips=(math.nan, 0.0, 0.0))
     with pytest.raises(ValueError, match="travel of pose"):
-        OrderRunner(cast).run(Bake(nowhere, {}))
+        OrderRunner(harness.cast).run(Bake(nowhere, {}))
     assert isinstance(harness.ask("ann", wire.SetPulls, draft.item, []), wire.EditRefused)

@@ -10,13 +10,14 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Points
 from omote.inputs.trackers.head_angles import BoneTurn
 from omote.interchange.avatar.humanoid_figure import humanoid_bones
+from omote.interchange.avatar.vrm0_extension import THUMBS
 from omote.interchange.figures.t_pose import pose_t
 from omote.model.body.figures import Figures
 from omote.model.body.pose import Pose
 from omote.model.body.pose_regions import region_bones
-from omote.perform.figures.evaluate_figure import turn_of
-from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
-from omote.perform.figures.pose_mix import MixedPose, mix_poses
+from omote.perform.figures.evaluate_figure import turned_pose
+from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure
+from omote.perform.figures.pose_mix import mix_poses
 from omote.perform.frame import Head
 from omote.show.objects.state import CharacterState
 
@@ -48,10 +49,8 @@ class FigureBones:
         if called is None:
             return {}
         mixed = mix_poses(poses, called.poses, called.regions, self._regions, character.idle)
-        turned = turn_head(self._skeleton, mixed.turns, turn_of(Head(*character.head)))
-        posed = pose_figure(
-            self._figures.space, self._resting, MixedPose(turned, mixed.travel, mixed.feet, mixed.feet_turns)
-        )
+        turned = turned_pose(self._skeleton, mixed, Head(*character.head))
+        posed = pose_figure(self._figures.space, self._resting, turned)
         world = posed.turns @ self._back
         own = [world[place] if parent < 0 else world[parent].T @ world[place] for place, parent in self._bones.values()]
         hips = posed.joints[0]
@@ -72,9 +71,5 @@ class FigureBones:
 
 def unity_name(bone: str) -> str:
     """Unity's name (`HumanBodyBones`, as VMC and VRM 0.x have it) for a bone of VRM 1.0: the thumb's are others."""
-    thumbs: Mapping[str, str] = {"ThumbMetacarpal": "ThumbProximal", "ThumbProximal": "ThumbIntermediate"}
-    for ours, theirs in thumbs.items():
-        if bone.endswith(ours):
-            bone = bone.removesuffix(ours) + theirs
-            break
-    return bone[0].upper() + bone[1:]
+    name = THUMBS.get(bone, bone)
+    return name[0].upper() + name[1:]

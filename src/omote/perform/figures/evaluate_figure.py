@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Floats, Points, Values
 from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import region_bones
+from omote.model.body.skeleton import Skeleton
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
@@ -57,9 +60,14 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     resting = resting_figure(cast.figures, bodies, head, _mixed_faces(cast, frame))
     poses = ({STAND: 1.0}, {}) if on is None else (on.poses, on.regions)
     mixed = mix_poses(cast.poses, *poses, region_bones(space.skeleton), frame.idle)
-    turns = turn_head(space.skeleton, mixed.turns, turn_of(frame.head))
-    posed = MixedPose(turns, mixed.travel, mixed.feet, mixed.feet_turns)
+    posed = turned_pose(space.skeleton, mixed, frame.head)
     return skin_figure(space, resting, pose_figure(space, resting, posed))
+
+
+def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head) -> MixedPose:
+    """A pose with the head's own direction, which neck and spine share. skeleton: of the figure; pose: of
+    `mix_poses`; head: its direction."""
+    return replace(pose, turns=turn_head(skeleton, pose.turns, turn_of(head)))
 
 
 def turn_of(head: Head) -> Values:

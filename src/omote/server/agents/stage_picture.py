@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 import base64
 from contextlib import AsyncExitStack
 from urllib.parse import urlencode
 
 from omote.server.headless.chromium import find_chromium, open_chromium
-from omote.server.headless.devtools import BrowserError, DevTools
-from omote.server.headless.picture_renderer import OPENED, OPENING
+from omote.server.headless.devtools import DevTools
+from omote.server.headless.picture_renderer import OPENED, open_stage
 
 QUALITY = "medium"
 """Level of the stage's quality: what an agent looks at is small, and a machine that plays has other work."""
@@ -44,18 +43,8 @@ class StagePicture:
 
     async def _open_page(self) -> tuple[DevTools, str]:
         tools = await self._open.enter_async_context(open_chromium(find_chromium()))
-        target = await tools.call("Target.createTarget", url="about:blank")
-        attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
-        session = str(attached["sessionId"])
-        width, height = self._size
-        sizes = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-        await tools.call("Emulation.setDeviceMetricsOverride", session=session, **sizes)
-        if self._address.startswith("https:"):  # the link has found out already that it is this show
-            await tools.call("Security.setIgnoreCertificateErrors", session=session, ignore=True)
         words = {"quality": QUALITY} | ({"token": self._token} if self._token else {})
-        await tools.call("Page.navigate", session=session, url=f"{self._address}/stage?{urlencode(words)}")
-        try:
-            await asyncio.wait_for(tools.evaluate(session, OPENED), OPENING)
-        except TimeoutError:
-            raise BrowserError(f"the stage did not open within {OPENING:g} s; try again") from None
+        url = f"{self._address}/stage?{urlencode(words)}"
+        trusted = self._address.startswith("https:")  # the link has found out already that it is this show
+        _, session = await open_stage(tools, url, self._size, OPENED, trusted=trusted)
         return tools, session

@@ -129,8 +129,10 @@ class FaceOutput(DeviceSource):
 
     def pose(self, character: CharacterState) -> Mapping[str, BoneTurn]:
         """The bones of a character's figure; none while nothing is called of it. character: as stages get it."""
+        if character.figure is None:  # nearly always
+            return {}
         poses = {name: pose for name, pose in self._session().cast.poses.items() if isinstance(pose, Pose)}
-        return _figure_bones().turns(character, poses) if character.figure is not None and poses else {}
+        return _figure_bones().turns(character, poses) if poses else {}
 
     def weigh(self, character: CharacterState) -> Mapping[str, float]:
         """What a character has on air, as weights of all of ARKit's units."""

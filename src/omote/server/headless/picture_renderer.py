@@ -451,14 +451,31 @@ async def open_picture_page(tools: DevTools, address: str, setting: Setting, *, 
     ready: the script whose promise says that the page is open. tools: the browser; address: of the pages; setting: size
     and quality.
     """
+    size = setting.width, setting.height
+    target, session = await open_stage(tools, f"{address}/stage{query(setting)}", size, ready)
+    return PicturePage(tools, target, session, setting)
+
+
+async def open_stage(
+    tools: DevTools, url: str, size: tuple[int, int], ready: str, *, trusted: bool = False
+) -> tuple[str, str]:  # fmt: skip
+    """Opens a stage page and returns its target and its session; BrowserError with the page's own message where it does
+    not open.
+
+    tools: the browser; url: of the page; size: width and height, pixels; ready: the script whose promise says that it
+    is open; trusted: whether its certificate has been checked by other means.
+    """
     target = await tools.call("Target.createTarget", url="about:blank")
     attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)
     session = str(attached["sessionId"])
-    size = {"width": setting.width, "height": setting.height, "deviceScaleFactor": 1, "mobile": False}
-    await tools.call("Emulation.setDeviceMetricsOverride", session=session, **size)
-    await tools.call("Page.navigate", session=session, url=f"{address}/stage{query(setting)}")
+    width, height = size
+    sizes = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+    await tools.call("Emulation.setDeviceMetricsOverride", session=session, **sizes)
+    if trusted:
+        await tools.call("Security.setIgnoreCertificateErrors", session=session, ignore=True)
+    await tools.call("Page.navigate", session=session, url=url)
     try:
         await asyncio.wait_for(tools.evaluate(session, ready), OPENING)
     except TimeoutError:
         raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
-    return PicturePage(tools, str(target["targetId"]), session, setting)
+    return str(target["targetId"]), session
