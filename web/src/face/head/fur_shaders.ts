@@ -39,6 +39,7 @@ out vec2 vAlong; // from the root, and whether it stands off
 out vec3 vLight;
 
 const float SHORT = 0.003, LONG = 0.0088, HALF = 0.00032; // metres, of the shortest, the longest and of the widest
+const float FEWEST = 0.3; // of all strands, drawn at any distance
 const float LYING = 0.85; // of the light that strands on the face hide at most
 
 /** A painted layer at the root, without its finest parts. */
@@ -54,15 +55,25 @@ vec4 painted(sampler2D layer) {
 #define STANDING normals
 #endif
 
-/** How far it faces the eye at its nearest row, about: those behind end with this. */
-float about() {
+/** How far it faces the eye at its nearest row, about, and how far away that is: those behind or pruned end with this. */
+vec2 about() {
   ivec2 row = texelOf(int(rootRows.x + 0.5));
   vec3 here = texelFetch(PLACES, row, 0).xyz, normal = texelFetch(STANDING, row, 0).xyz;
 #ifndef FIGURE
   here = turned(here, root.z);
   normal = turnedNormal(normal, root.z);
 #endif
-  return dot(normal, normalize(viewPoint - here));
+  vec3 view = viewPoint - here;
+  float away = length(view);
+  return vec2(dot(normal, view) / away, away);
+}
+
+/** What is drawn of a strand, 0..1, and by how much wider it is for those that are not: of strands narrower than a pixel
+ * a share is drawn; each fades before it goes (stochastic simplification: Cook, Halstead, Planck and Ryu 2007). */
+vec2 unpruned(float away) {
+  float share = clamp(HALF / (pixel * away), FEWEST, 1.0);
+  float fading = 0.5 * (1.0 - share);
+  return vec2(1.0 - smoothstep(share * (1.0 - fading), share, fract(29.0 * root.w)), 1.0 / (share * (1.0 - 0.5 * fading)));
 }
 
 /** What its three rows have, a column each. */
@@ -73,7 +84,10 @@ mat3 on(sampler2D rows) {
 
 void main() {
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // nothing to draw
-  if (about() < -0.7) return;
+  vec2 nearest = about();
+  if (nearest.x < -0.7) return;
+  vec2 kept = unpruned(nearest.y);
+  if (kept.x <= 0.0) return;
   mat3 places = on(PLACES);
   vec3 here = places * rootShares, way = places * flow;
   vec3 normal = normalize(on(STANDING) * rootShares);
@@ -106,9 +120,9 @@ void main() {
   float lift = mix(0.14, 0.20, outline) + mix(0.16, 0.42, outline) * fract(13.0 * root.w);
   vec3 point = here + long_ * (t * (1.0 - lift * 0.4) * lean + (lift * t * (1.6 - 0.7 * t) + mix(0.05, -0.06, outline)) * normal);
   vec3 along = normalize(lean + lift * (1.6 - 1.4 * t) * normal);
-  float wide = mix(1.5, 1.0, outline) * HALF * (0.6 + 0.6 * chance) * (1.0 - 0.8 * t);
+  float wide = mix(1.5 * kept.y, 1.0, outline) * HALF * (0.6 + 0.6 * chance) * (1.0 - 0.8 * t);
   float least = 0.6 * pixel * away;
-  vAcross = vec2(strand.x, min(wide / least, 1.0) * seen * mix(LYING, 1.0, outline));
+  vAcross = vec2(strand.x, min(wide / least, 1.0) * kept.x * seen * mix(LYING, 1.0, outline));
   vAlong = vec2(t, outline);
 
   float key = clamp((dot(normal, KEY) + 0.3) / 1.3, 0.0, 1.0) * sunlit(here + 0.002 * normal);
