@@ -25,6 +25,7 @@ import type { StatusBar } from "./panels/status_bar";
 import type { CharacterRow } from "./scene/character_row";
 import type { MemoryRow } from "./scene/memory_row";
 import { type ConsoleView, VIEWS } from "./store/arrangement";
+import type { LookKind } from "./store/axis";
 import { type Command, commandOf, isPanic, stepOf } from "./store/keys";
 import type { Topic } from "./store/page_store";
 import { nextPlace } from "./store/region_calls";
@@ -146,7 +147,7 @@ export class ConsolePage extends ConsoleElement {
         <omote-lights class="panel" .context=${context}></omote-lights>
         <omote-memories class="panel" .context=${context}></omote-memories>
       </div>
-      <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
+      <omote-tbar class="panel exprbar live" .context=${context} .axis=${this.#rightAxis()}></omote-tbar>
       <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"} @menu=${this.#openMenu}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
         <omote-pad class="panel" .context=${context} .what=${"head"}></omote-pad>
@@ -295,11 +296,16 @@ export class ConsolePage extends ConsoleElement {
     else this.#obeyAxis(command);
   }
 
+  /** What the right T-bar and its keys move: poses while their tiles are shown. */
+  #rightAxis(): LookKind {
+    return this.store.arrangement.kind === "poses" ? "pose" : "expression";
+  }
+
   #obeyAxis(command: Extract<Command, { axis: unknown }>): void {
     const { axis } = command;
     const timing = this.store.timing[axis];
     if (command.do === "call") this.#at<Palette>(axis === "face" ? ".faces" : ".expressions")?.callIndex(command.index);
-    else if (command.do === "release") this.store.release(axis);
+    else if (command.do === "release") this.store.release(axis === "face" ? axis : this.#rightAxis());
     else if (command.do === "keep") this.context.items.keep(axis);
     else if (command.do === "hand") this.store.setTiming(axis, { byHand: !timing.byHand });
     else this.store.setTiming(axis, { seconds: neighbour(timing, command.direction) });

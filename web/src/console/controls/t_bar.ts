@@ -5,7 +5,7 @@ import { customElement, property, query } from "lit/decorators.js";
 import { type Drag, faderDrag, onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { UNIT } from "../../ui/travel";
-import { type Axis, mixLabel } from "../store/axis";
+import { type LookKind, mixLabel, mixOf } from "../store/axis";
 import { remainingLabel } from "../store/timing";
 import { BarKeys } from "./bar_keys";
 import { AnimatedElement } from "./console_element";
@@ -16,7 +16,7 @@ import { type BarView, barView } from "./t_bar_view";
 /** The T-bar of an axis: the hand's handle, the value of the call beside it, and who is at which end. */
 @customElement("omote-tbar")
 export class TBar extends AnimatedElement {
-  @property() axis: Axis = "face";
+  @property() axis: LookKind = "face";
   @query(".track") private track!: HTMLElement;
   @query(".hand") private hand!: HTMLElement;
   @query(".value") private value!: HTMLElement;
@@ -35,9 +35,9 @@ export class TBar extends AnimatedElement {
   static override styles = [base, style, otherStyle];
 
   override render() {
-    const name = this.axis === "face" ? "Face" : "Expression";
+    const [name, short] = NAMES[this.axis];
     return html`
-      <h2>${this.axis === "face" ? "Face" : "Expr."}</h2>
+      <h2>${short}</h2>
       <div class="end top"></div>
       <div
         class="track"
@@ -156,9 +156,16 @@ export class TBar extends AnimatedElement {
 
   get #mix(): Readonly<Record<string, number>> {
     const { air: state } = this.store;
-    return (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
+    return state === null ? {} : mixOf(state, this.axis);
   }
 }
+
+/** What a bar is called, and in short. */
+const NAMES: Readonly<Record<LookKind, readonly [string, string]>> = {
+  face: ["Face", "Face"],
+  expression: ["Expression", "Expr."],
+  pose: ["Pose", "Pose"],
+};
 
 /** Before the first picture of it. */
 const IDLE = { target: null, flipped: false };

@@ -1,7 +1,7 @@
 /** What a control of a device can play, as an address of OSC, and how people read it. */
 
 import type { BindingDocument } from "../../link/messages";
-import type { Axis } from "../store/axis";
+import type { Axis, LookKind } from "../store/axis";
 import type { ConsoleStore } from "../store/console_store";
 import type { Seconds } from "../store/timing";
 
@@ -31,13 +31,13 @@ const moved = (who: string, path: string, axis = ""): Target => ({ to: `${ROOT}/
 export const channelTarget = (who: string, name: string): Target => moved(who, `channel/${name}`);
 /** A macro; its middle is 0. */
 export const macroTarget = (who: string, name: string): Target => moved(who, `macro/${name}`);
-export const barTarget = (who: string, axis: Axis): Target => moved(who, `fade/${axis}`);
+export const barTarget = (who: string, axis: LookKind): Target => moved(who, `fade/${axis}`);
 export const layerTarget = (who: string, layer: string, part: string | null): Target =>
   moved(who, part === null ? `layer/${layer}` : `layer/${layer}/${part}`);
 export const directionTarget = (who: string, what: "head" | "gaze", part: string): Target => moved(who, what, part);
 export const padTarget = (who: string, name: string, axis: string): Target => moved(who, `pad/${name}`, axis);
 export const panicTarget = (who: string): Target => moved(who, "panic");
-export const releaseTarget = (who: string, axis: Axis): Target => moved(who, `release/${axis}`);
+export const releaseTarget = (who: string, axis: LookKind): Target => moved(who, `release/${axis}`);
 export const lightTarget = (name: string, seconds: number): Target => ({
   to: `${ROOT}/light`,
   axis: "",

@@ -14,6 +14,7 @@ export const CHARACTER_PARTS: readonly LeasePart[] = [
   "channels",
   "head",
   "gaze",
+  "pose",
   "place",
 ];
 /** The parts of the scene, whose character is `*`. */
@@ -25,6 +26,7 @@ export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], 
 const PLAYED: Readonly<Record<string, LeasePart>> = {
   fade_face: "face",
   fade_expression: "expression",
+  fade_pose: "pose",
   set_channel: "channels",
   set_head: "head",
   set_gaze: "gaze",

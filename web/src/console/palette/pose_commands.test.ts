@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { CharacterState, FigureState } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
-import { bodiesOf, bodyOf, callBody, callPose, posesComing, posesFound, poseWeight } from "./pose_commands";
+import { bodiesOf, bodyOf, callBody, posesComing, posesFound, poseWeight } from "./pose_commands";
 
 const call = (target: string) => ({ target, remaining: 1, progress: 0.5, by_hand: false }) as never;
 
@@ -37,27 +37,11 @@ describe("poses on a console", () => {
     expect(bodiesOf(store([]))).toEqual(["own", "kaori", "heavy"]);
   });
 
-  it("are called on all who are played, in the time of expressions, bodies in that of faces", () => {
+  it("have bodies that are called on all who are played, in the time of faces", () => {
     const sent: unknown[] = [];
-    callPose(store(sent), "bow", "trunk");
     callBody(store(sent), "heavy");
-    expect(sent).toEqual([
-      ...["one", "two"].map((character) => ({
-        type: "call_pose",
-        character,
-        name: "bow",
-        seconds: 0.5,
-        easing: "gentle",
-        region: "trunk",
-      })),
-      ...["one", "two"].map((character) => ({
-        type: "call_body",
-        character,
-        name: "heavy",
-        seconds: 2,
-        easing: "smooth",
-      })),
-    ]);
+    const call = { type: "call_body", name: "heavy", seconds: 2, easing: "smooth" };
+    expect(sent).toEqual(["one", "two"].map((character) => ({ ...call, character })));
   });
 
   it("weigh as much as the whole or a region does them; a figure that was told nothing stands in its own body", () => {

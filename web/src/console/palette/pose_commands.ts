@@ -1,13 +1,9 @@
 /** Poses and bodies as an operator calls them on the characters that are played here. */
 
-import { FACES_OWN, type POSE_REGIONS } from "../../link/constants";
+import { FACES_OWN } from "../../link/constants";
 import type { CharacterState, PoseDocument } from "../../link/messages";
+import { STAND } from "../store/axis";
 import type { ConsoleStore } from "../store/console_store";
-
-export type PoseRegion = (typeof POSE_REGIONS)[number];
-
-/** What a figure does that nobody has told anything. */
-const STAND = "stand";
 
 /** The poses of the show's cast, but the stand at the front of them. */
 export function posesFound(store: ConsoleStore, search: string): readonly PoseDocument[] {
@@ -23,13 +19,6 @@ export const bodiesOf = (store: ConsoleStore): readonly string[] => [
   FACES_OWN,
   ...(store.manifest?.figures?.bodies ?? []).map(({ name }) => name),
 ];
-
-/** Calls a pose of the whole figure or of one region, in the seconds of an expression; by hand in those of before. */
-export function callPose(store: ConsoleStore, name: string, region: PoseRegion | null): void {
-  const { seconds, easing } = store.timing.expression;
-  for (const character of store.played.targets)
-    store.ask({ type: "call_pose", character, name, seconds, easing, region });
-}
 
 /** Calls a body in the seconds of a face. */
 export function callBody(store: ConsoleStore, name: string): void {

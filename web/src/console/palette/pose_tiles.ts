@@ -11,20 +11,12 @@ import { textOf } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
+import type { PoseRegion } from "../store/region_calls";
 import { LookCarry } from "./look_carry";
 import { carryLook } from "./look_drag";
 import { ModelFace } from "./model_face";
 import { style as tiles } from "./palette_style";
-import {
-  bodiesOf,
-  bodyOf,
-  callBody,
-  callPose,
-  type PoseRegion,
-  posesComing,
-  posesFound,
-  poseWeight,
-} from "./pose_commands";
+import { bodiesOf, bodyOf, callBody, posesComing, posesFound, poseWeight } from "./pose_commands";
 
 const WHOLE = "whole";
 const REGION_LABELS: Readonly<Record<PoseRegion, string>> = {
@@ -96,13 +88,13 @@ export class PoseTiles extends AnimatedElement {
   /** Calls the pose at an index of what is shown, as its hot key does. */
   callIndex(index: number): void {
     const pose = posesFound(this.store, "")[index];
-    if (pose !== undefined) callPose(this.store, pose.name, this.region);
+    if (pose !== undefined) this.store.call("pose", pose.name, this.region);
   }
 
   /** Calls the pose that is found first; false where none is. */
   callFirst(): boolean {
     const [pose] = posesFound(this.store, this.search);
-    if (pose !== undefined) callPose(this.store, pose.name, this.region);
+    if (pose !== undefined) this.store.call("pose", pose.name, this.region);
     return pose !== undefined;
   }
 
@@ -133,11 +125,12 @@ export class PoseTiles extends AnimatedElement {
   readonly #choose = (event: Event): void => {
     const chosen = textOf(event);
     this.region = POSE_REGIONS.find((region) => region === chosen) ?? null;
+    this.store.warnOfHand(this.region);
   };
 
   /** A tile that was clicked keeps no focus: the space bar would call it again. */
   #press(event: MouseEvent, name: string): void {
-    callPose(this.store, name, this.region);
+    this.store.call("pose", name, this.region);
     if (event.detail > 0) (event.currentTarget as HTMLElement).blur();
   }
 

@@ -1,16 +1,36 @@
-/** The two axes of a call, and what runs on each. */
+/** What is called, and what runs on each axis of a call. */
 
 import type { CallState, CharacterState } from "../../link/messages";
+
+/** What a figure does that nobody has told anything. */
+export const STAND = "stand";
 
 /** What is called and mixed: faces, and expressions. */
 export type Axis = "face" | "expression";
 
-/** What palettes have tiles of, and pads mix. */
+/** What palettes have tiles of, T-bars move, and pads mix. */
 export type LookKind = Axis | "pose";
+export const LOOK_KINDS: readonly LookKind[] = ["face", "expression", "pose"];
+
+/** The axis whose seconds a call takes: poses are called from the palette of expressions, in its seconds. */
+export const timingOf = (kind: LookKind): Axis => (kind === "pose" ? "expression" : kind);
 
 /** The call that runs on an axis. */
-export function callOf(state: CharacterState, axis: Axis): CallState | null {
+export function callOf(state: CharacterState, axis: LookKind): CallState | null {
+  if (axis === "pose") return state.figure?.pose_call ?? null;
   return axis === "face" ? state.face_call : state.expression_call;
+}
+
+/** The mix that is on air on an axis; poses: of the whole figure. */
+export function mixOf(state: CharacterState, axis: LookKind): Readonly<Record<string, number>> {
+  if (axis === "pose") return state.figure?.poses ?? { [STAND]: 1 };
+  return axis === "face" ? state.faces : state.expressions;
+}
+
+/** Where the T-bar of an axis stands, 0..1. */
+export function faderOf(state: CharacterState, axis: LookKind): number {
+  if (axis === "pose") return state.figure?.fader ?? 0;
+  return axis === "face" ? state.face_fader : state.expression_fader;
 }
 
 /** The end of its travel that a T-bar in the middle goes to, as the engine turns a call round; null at an end. */
@@ -23,7 +43,7 @@ export function endFrom(stands: number): 0 | 1 | null {
  * then `state`, which came after `last`. Null where the console was not there from the call's beginning. */
 export function followTimed(
   timed: boolean | null,
-  axis: Axis,
+  axis: LookKind,
   last: CharacterState | null,
   state: CharacterState,
 ): boolean | null {

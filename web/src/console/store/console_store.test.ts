@@ -225,6 +225,43 @@ describe("calls by hand", () => {
   });
 });
 
+describe("poses", () => {
+  const calling = {
+    target: "bow",
+    start: { stand: 1 },
+    progress: 0.2,
+    remaining: null,
+    by_hand: true,
+    fader: 0.2,
+    pickup: 0.2,
+  };
+  const bowing = {
+    ...{ poses: { bow: 0.2, stand: 0.8 }, regions: {}, bodies: { own: 1 } },
+    ...{ pose_call: calling, region_calls: {}, body_call: null, fader: 0.2 },
+  };
+
+  it("are called in the time of expressions, by hand too, and a region alone in its seconds", () => {
+    store.setTiming("expression", { seconds: 2, easing: "late" });
+    store.call("pose", "bow");
+    store.setTiming("expression", { byHand: true });
+    store.call("pose", "bow");
+    store.call("pose", "wave", "arm_left");
+    expect(sent).toMatchObject([
+      { type: "call_pose", character: "one", name: "bow", seconds: 2, easing: "late", region: null },
+      { type: "call_pose", name: "bow", seconds: null, region: null },
+      { type: "call_pose", name: "wave", seconds: 2, region: "arm_left" },
+    ]);
+  });
+
+  it("have a T-bar of their own", () => {
+    store.receive(withOne({ figure: bowing }));
+    expect([store.callOf("pose"), store.bar("pose").value(now)]).toEqual([calling, 0.2]);
+    store.bar("pose").nudge(0.5);
+    store.flush();
+    expect(sent).toEqual([{ type: "fade_pose", character: "one", value: 0.5 }]);
+  });
+});
+
 describe("lights", () => {
   it("come in the time of a face, and never by hand", () => {
     store.setTiming("face", { seconds: 4, easing: "late" });

@@ -5,12 +5,12 @@
 
 import { ALL } from "../../link/constants";
 import type { CallState, CharacterState, FromClient, Hands, Refused, State } from "../../link/messages";
-import { type Axis, callOf, endFrom, followTimed } from "./axis";
+import { callOf, endFrom, followTimed, LOOK_KINDS, type LookKind, timingOf } from "./axis";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { Outbox } from "./outbox";
 import { PageStore } from "./page_store";
 import { charactersKey, PlayedCharacters } from "./played_characters";
-import { callMessage } from "./region_calls";
+import { callMessage, type PoseRegion } from "./region_calls";
 import { type Answers, type Asked, Requests } from "./requests";
 import { type Change, clearStep, movedBy, type Step, type TakeStep, type Way } from "./undo_history";
 import { UnheardPanic } from "./unheard_panic";
@@ -44,7 +44,7 @@ export class ConsoleStore extends PageStore {
   readonly #requests: Requests;
   /** What was asked for last, by id: what is rejected can be asked for again. */
   readonly #called = new Map<string, FromClient>();
-  readonly #timed: Record<Axis, boolean | null> = { face: null, expression: null };
+  readonly #timed: Record<LookKind, boolean | null> = { face: null, expression: null, pose: null };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
 
@@ -87,7 +87,7 @@ export class ConsoleStore extends PageStore {
   /** Other characters are played than before. */
   #takeUp(): void {
     this.#knobs.clear();
-    [this.#timed.face, this.#timed.expression] = [null, null];
+    for (const axis of LOOK_KINDS) this.#timed[axis] = null;
     this.#unheard.forget(); // whose panic it was is not played any more
     this.era += 1;
     for (const topic of ["characters", "call", "panic"] as const) this.tell(topic);
@@ -105,10 +105,10 @@ export class ConsoleStore extends PageStore {
       return;
     }
     if (there !== charactersKey(state)) this.tell("characters");
-    for (const axis of ["face", "expression"] as const)
-      this.#timed[axis] = followTimed(this.#timed[axis], axis, last, air);
-    const turned = (axis: Axis): boolean => (last ? callOf(last, axis)?.target : null) !== callOf(air, axis)?.target;
-    if (turned("face") || turned("expression")) this.tell("call");
+    for (const axis of LOOK_KINDS) this.#timed[axis] = followTimed(this.#timed[axis], axis, last, air);
+    const turned = (axis: LookKind): boolean =>
+      (last ? callOf(last, axis)?.target : null) !== callOf(air, axis)?.target;
+    if (LOOK_KINDS.some(turned)) this.tell("call");
     this.#yield();
     if (last !== null && panics !== this.played.panics()) this.#handsOff();
     const { home_face: face, home_seconds: seconds, home_next: next } = air;
@@ -204,13 +204,14 @@ export class ConsoleStore extends PageStore {
     return this.online && this.mayPlay(control);
   };
 
-  call(axis: Axis, name: string): void {
+  /** Calls a face, an expression where the next ones go, or a pose; `of`: the region of a figure that alone does it. */
+  call(axis: LookKind, name: string, of: PoseRegion | null = null): void {
     if (!this.#mayAct()) return;
-    const region = axis === "face" ? null : this.region;
+    const region = axis === "expression" ? this.region : of;
     const [seconds, rest] = [this.callSeconds(axis, region), region === null ? this.#restOf(axis) : null];
     const running = this.callOf(axis) !== null;
     if (rest !== null && !running) this.bar(axis).nudge(rest);
-    const { easing } = this.timing[axis];
+    const { easing } = this.timing[timingOf(axis)];
     this.#play((character) =>
       callMessage(axis, { character, id: this.#requests.nextId(), name, seconds, easing }, region),
     );
@@ -218,7 +219,7 @@ export class ConsoleStore extends PageStore {
   }
 
   /** The end that a T-bar in the middle goes to at a new call; null where a hand may be on it, here or elsewhere. */
-  #restOf(axis: Axis): number | null {
+  #restOf(axis: LookKind): number | null {
     if (this.state === null || this.#panicking || this.bar(axis).gripped()) return null;
     return this.otherOn(this.bar(axis)) !== null ? null : endFrom(this.bar(axis).value(this.now()));
   }
@@ -241,13 +242,13 @@ export class ConsoleStore extends PageStore {
   }
 
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
-  releasable(axis: Axis): boolean {
+  releasable(axis: LookKind): boolean {
     return this.callOf(axis)?.by_hand === true && this.#timed[axis] !== false;
   }
 
-  release(axis: Axis): void {
+  release(axis: LookKind): void {
     if (this.#timed[axis] === false && this.online) this.say(NOTHING_TO_RELEASE);
-    else this.#play((character) => ({ type: axis === "face" ? "release_face" : "release_expression", character }));
+    else this.#play((character) => ({ type: `release_${axis}` as const, character }));
   }
 
   /** Panic of the characters that this console plays, or of all that there are. */
@@ -360,11 +361,11 @@ export class ConsoleStore extends PageStore {
   readonly macro: Knobs["macro"] = (name) => this.#knobs.macro(name);
 
   /** Where a T-bar stands, under the hand of this console or of another. */
-  bar(axis: Axis): Knob {
+  bar(axis: LookKind): Knob {
     return this.#knobs.bar(axis);
   }
 
-  callOf(axis: Axis): CallState | null {
+  callOf(axis: LookKind): CallState | null {
     return this.air === null ? null : callOf(this.air, axis);
   }
 }

@@ -2,7 +2,7 @@
 
 import type { SKIN_FADERS, SPRINGS } from "../../link/constants";
 import type { CharacterState, FromClient } from "../../link/messages";
-import type { Axis } from "./axis";
+import { faderOf, type LookKind } from "./axis";
 import { handsOf } from "./held_state";
 import { ECHO, HeldValues } from "./held_values";
 import { influenceOf, type LayerName, type LayerPart } from "./layer_state";
@@ -173,11 +173,11 @@ export class Knobs {
   }
 
   /** Where a T-bar stands, under the hand of this console or of another. */
-  bar(axis: Axis): Knob {
-    const type = axis === "face" ? "fade_face" : "fade_expression";
+  bar(axis: LookKind): Knob {
+    const type = `fade_${axis}` as const;
     return this.#knob(
       [type],
-      (state) => state[axis === "face" ? "face_fader" : "expression_fader"],
+      (state) => faderOf(state, axis),
       (value) => this.#put(type, (character) => ({ type, character, value })),
     );
   }

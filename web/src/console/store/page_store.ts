@@ -1,6 +1,7 @@
 /** What the console has whatever is on air: the cast, who listens to changes, the arrangement, the notice and what can be taken back. */
 
 import type { Bus } from "../../link/bus";
+import { BREATH_IN, CHEST, WEIGHT } from "../../link/constants";
 import type {
   Crew,
   ExpressionDocument,
@@ -14,11 +15,14 @@ import type {
 } from "../../link/messages";
 import { MessageStore } from "../../link/topics";
 import { type Arrangement, FIRST } from "./arrangement";
-import type { Axis, LookKind } from "./axis";
+import { type Axis, type LookKind, timingOf } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
-import type { PlayRegion } from "./region_calls";
+import type { PlayRegion, PoseRegion } from "./region_calls";
 import { type Seconds, secondsLabel, type Timing } from "./timing";
 import { type Step, type TakeStep, UndoHistory, type Way } from "./undo_history";
+
+/** The poses that figures do by themselves: nobody calls them. */
+const IDLE_POSES: ReadonlySet<string> = new Set([BREATH_IN, CHEST, ...WEIGHT]);
 
 /** What of the page itself has changed. */
 type PageTopic =
@@ -123,12 +127,12 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
 
   /** What people read of a name; a name that the cast does not know stands for itself. */
   label(kind: LookKind, name: string): string {
-    if (kind === "pose") return this.poses.find((pose) => pose.name === name)?.label ?? name;
+    if (kind === "pose") return this.manifest?.figures?.poses.find((pose) => pose.name === name)?.label ?? name;
     return this.#labels[kind].get(name) ?? name;
   }
 
   get poses(): readonly PoseDocument[] {
-    return this.manifest?.figures?.poses ?? [];
+    return (this.manifest?.figures?.poses ?? []).filter(({ name }) => !IDLE_POSES.has(name));
   }
 
   get faces(): readonly FaceDocument[] {
@@ -175,18 +179,23 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
   }
 
   /** The seconds of the next call; a region has no T-bar, and takes those that are chosen beside it. */
-  callSeconds(axis: Axis, region: PlayRegion | null = null): Seconds {
-    const { seconds, byHand } = this.timing[axis];
+  callSeconds(axis: LookKind, region: PlayRegion | PoseRegion | null = null): Seconds {
+    const { seconds, byHand } = this.timing[timingOf(axis)];
     return byHand && region === null ? null : seconds;
   }
 
   /** Chooses where the next calls of expressions go. */
   chooseRegion(region: PlayRegion | null): void {
     this.region = region;
+    this.warnOfHand(region);
+    this.tell("timing");
+  }
+
+  /** Says what calls take that go to a region while calls are by hand; null: the whole, which has a T-bar. */
+  warnOfHand(region: PlayRegion | PoseRegion | null): void {
     const { seconds, byHand } = this.timing.expression;
     if (region !== null && byHand)
       this.say(`No T-bar moves one region alone: calls there take ${secondsLabel(seconds)} s.`, "done");
-    this.tell("timing");
   }
 
   /** Edits a pad of looks; "" for none. */

@@ -1,20 +1,25 @@
-/** Calls of expressions in one region of the face alone, and what is on air in regions. */
+/** Calls of expressions and poses in one region alone, and what is on air in regions. */
 
-import { PLAY_REGIONS } from "../../link/constants";
-import type { CallExpression, CallFace, CallState, CharacterState } from "../../link/messages";
+import { PLAY_REGIONS, type POSE_REGIONS } from "../../link/constants";
+import type { CallExpression, CallFace, CallPose, CallState, CharacterState } from "../../link/messages";
+import type { LookKind } from "./axis";
 
 export type PlayRegion = (typeof PLAY_REGIONS)[number];
+export type PoseRegion = (typeof POSE_REGIONS)[number];
 
 /** Where calls of expressions can go: the whole face, then its regions. */
 export const PLACES: readonly (PlayRegion | null)[] = [null, ...PLAY_REGIONS];
 
-/** The message of a call; `region`: where alone an expression is called, null for the whole face. */
+/** The message of a call; `region`: where alone an expression or a pose is called, null for the whole. */
 export function callMessage(
-  axis: "face" | "expression",
+  axis: LookKind,
   call: Omit<CallFace, "type">,
-  region: PlayRegion | null = null,
-): CallFace | CallExpression {
-  return axis === "face" ? { type: "call_face", ...call } : { type: "call_expression", ...call, region };
+  region: PlayRegion | PoseRegion | null = null,
+): CallFace | CallExpression | CallPose {
+  if (axis === "pose") return { type: "call_pose", ...call, region: region as PoseRegion | null };
+  return axis === "face"
+    ? { type: "call_face", ...call }
+    : { type: "call_expression", ...call, region: region as PlayRegion | null };
 }
 
 /** The place of the next key press after `place`, round and round. */
