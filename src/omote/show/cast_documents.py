@@ -206,10 +206,11 @@ class BodyDocument(msgspec.Struct, frozen=True):
 
 class PoseDocument(msgspec.Struct, frozen=True):
     """A pose (`model.body.pose`), f32 little-endian: `turns` (bones, 3) radians, `feet` (2, 3) leg lengths,
-    `feet_turns` (2, 3) radians; `travel` leg lengths."""
+    `feet_turns` (2, 3) radians; `travel` leg lengths. `source`: changes when an own pose is saved, as a face's."""
 
     name: str
     label: str
+    source: str
     turns: bytes
     travel: tuple[float, float, float]
     feet: bytes

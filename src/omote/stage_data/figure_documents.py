@@ -41,7 +41,7 @@ def figure_documents(figures: Figures) -> FigureDocuments:
         for name, body in figures.bodies.items()
     ]
     url = _address(shared)
-    poses = [pose_document(pose) for pose in figures.poses.values()]
+    poses = [pose_document(pose, pose.name) for pose in figures.poses.values()]
     garments = [GarmentDocument(garment.name, garment.label) for garment in figures.garments.values()]
     document = FiguresDocument(url, listed, poses, garments)
     return FigureDocuments(document, {url: shared} | {urls[name]: asset for name, asset in bodies.items()})
@@ -85,11 +85,11 @@ def body_asset(body: Body) -> BodyAsset:
     return BodyAsset(*(le_bytes(getattr(body, what), "<f4") for what in parts))
 
 
-def pose_document(pose: Pose) -> PoseDocument:
-    """One pose, which is small enough to come with the manifest."""
+def pose_document(pose: Pose, source: str) -> PoseDocument:
+    """One pose, which is small enough to come with the manifest. source: its name, or the key of an own one's content."""
     x, y, z = pose.travel.tolist()
     turns, feet, feet_turns = (le_bytes(getattr(pose, what), "<f4") for what in ("turns", "feet", "feet_turns"))
-    return PoseDocument(pose.name, pose.label, turns, (x, y, z), feet, feet_turns)
+    return PoseDocument(pose.name, pose.label, source, turns, (x, y, z), feet, feet_turns)
 
 
 def _address(asset: msgspec.Struct) -> str:

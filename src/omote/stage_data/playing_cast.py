@@ -38,7 +38,7 @@ class Own(msgspec.Struct, frozen=True):
 
     @property
     def source(self) -> str:
-        """Its name in the addresses of compounds."""
+        """Its name in the addresses of compounds, and what pages know it by."""
         return KEY + self.content
 
 
@@ -197,7 +197,7 @@ def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, Fa
     own = [item for item in playing.own if item.kind == "face" and item.content in faces]
     figures = built_in.figures
     if figures is not None:
-        poses = [pose_document(playing.poses[item.name]) for item in playing.own if item.kind == "pose"]
+        poses = [pose_document(playing.poses[item.name], item.source) for item in playing.own if item.kind == "pose"]
         figures = msgspec.structs.replace(figures, poses=[*figures.poses, *poses])
     return msgspec.structs.replace(
         built_in,

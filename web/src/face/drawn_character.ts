@@ -460,7 +460,7 @@ export class DrawnCharacter {
     const { shared } = this.uniforms;
     const { called, pose } = this;
     const call: FigureCall = {
-      mix: called.figure ?? STANDING,
+      mix: pose.figure ?? STANDING,
       idle: called.idle ?? NO_IDLE,
       head: this.turn,
       faces: called.faces,

@@ -15,6 +15,7 @@ import type {
   LineDocument,
   Manifest,
   MeshDocument,
+  PoseDocument,
 } from "./messages";
 import { Backoff } from "./reconnecting_socket";
 import { type HairStrands, readStrands } from "./strands";
@@ -112,6 +113,10 @@ export const KEY = "#";
 /** A face without hair, and without its shadow on the scalp. */
 const shaved = (face: FaceDocument): FaceDocument => ({ ...face, look: { ...face.look, hair_style: "", scalp: 0 } });
 
+/** What names stand for something that may change during the show. */
+export type SourceKind = "faces" | "expressions" | "poses";
+const NONE: ReadonlyMap<string, string> = new Map();
+
 /**
  * The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. What a name
  * of the cast stands for may change during the show; a source (`sourceOf`) stands for the same for ever.
@@ -126,13 +131,14 @@ export class Library {
   private present: Manifest;
   private renewals = 0;
   private shown = "";
-  private sources = { faces: new Map<string, string>(), expressions: new Map<string, string>() };
+  private sources: Record<SourceKind, ReadonlyMap<string, string>> = { faces: NONE, expressions: NONE, poses: NONE };
   private readonly positioned = new Map<string, Promise<Float32Array>>();
   private readonly compounds = new Map<string, Promise<Compound>>();
   private readonly styles = new Map<string, Promise<HairStrands>>();
   private readonly bodies = new Map<string, Promise<Body>>();
   private space: Promise<FigureSpace> | undefined;
-  private posed: ReadonlyMap<string, FigurePose> | undefined;
+  private posed: ReadonlyMap<string, FigurePose> = new Map();
+  private unread: readonly PoseDocument[] = [];
   private picture: Promise<ImageBitmap[]> | undefined;
 
   constructor(
@@ -164,17 +170,18 @@ export class Library {
   /** Another cast on the same built-in one: names come, change what they stand for, or go. */
   recast(manifest: Manifest): void {
     this.present = manifest;
-    this.posed = undefined;
-    for (const kind of ["faces", "expressions"] as const) {
-      const documents: readonly (FaceDocument | ExpressionDocument)[] = manifest[kind];
-      this.sources[kind] = new Map(documents.map(({ name, source }) => [name, source]));
-    }
+    const { faces, expressions, figures } = manifest;
+    const poses = figures?.poses ?? [];
+    const named = (documents: readonly { name: string; source: string }[]) =>
+      new Map(documents.map(({ name, source }) => [name, source]));
+    this.sources = { faces: named(faces), expressions: named(expressions), poses: named(poses) };
+    this.unread = poses;
     for (const face of manifest.faces) this.faces.set(face.source, this.haired ? face : shaved(face));
     for (const expression of manifest.expressions) this.expressions.set(expression.source, expression);
   }
 
   /** What a name of the cast stands for now; a source stands for itself, and so does a name that the cast has not. */
-  sourceOf(kind: "faces" | "expressions", name: string): string {
+  sourceOf(kind: SourceKind, name: string): string {
     return this.sources[kind].get(name) ?? name;
   }
 
@@ -264,9 +271,12 @@ export class Library {
     (this.poses as Map<string, FigurePose>).set(name, { turns, travel, feet, feetTurns });
   }
 
-  /** The poses of the cast, by name; none where it has no figures. */
+  /** Every pose that ever was in the cast, by source; none where it has no figures. */
   get poses(): ReadonlyMap<string, FigurePose> {
-    this.posed ??= new Map((this.manifest.figures?.poses ?? []).map((pose) => [pose.name, readFigurePose(pose)]));
+    const come = this.unread.filter(({ source }) => !this.posed.has(source));
+    this.unread = [];
+    if (come.length > 0)
+      this.posed = new Map([...this.posed, ...come.map((pose) => [pose.source, readFigurePose(pose)] as const)]);
     return this.posed;
   }
 

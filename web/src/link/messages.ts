@@ -2045,11 +2045,12 @@ export type BodyDocument = { name: string; label: string; url: string; size: num
 
 /**
  * A pose (`model.body.pose`), f32 little-endian: `turns` (bones, 3) radians, `feet` (2, 3) leg lengths,
- * `feet_turns` (2, 3) radians; `travel` leg lengths.
+ * `feet_turns` (2, 3) radians; `travel` leg lengths. `source`: changes when an own pose is saved, as a face's.
  */
 export type PoseDocument = {
   name: string;
   label: string;
+  source: string;
   turns: Uint8Array;
   travel: [number, number, number];
   feet: Uint8Array;

@@ -114,9 +114,9 @@ export class PoseTiles extends AnimatedElement {
       </div>`;
   }
 
-  #tile({ name, label }: PoseDocument, index: number) {
+  #tile({ name, label, source }: PoseDocument, index: number) {
     const key = this.search === "" ? keyLabel("expression", index) : null;
-    return html`<button class="tile" data-name=${name} aria-label="Pose ${label}${key === null ? "" : `, key ${key}`}" title=${name} draggable=${this.store.editedPad === "" ? "false" : "true"}
+    return html`<button class="tile" data-name=${name} data-source=${source} aria-label="Pose ${label}${key === null ? "" : `, key ${key}`}" title=${name} draggable=${this.store.editedPad === "" ? "false" : "true"}
       @dragstart=${(event: DragEvent) => carryLook(event, "pose", name)} @click=${(event: MouseEvent) => this.#press(event, name)}>
       <canvas width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>
       <span class="name">${label}</span>${key === null ? nothing : html`<span class="key">${key}</span>`}<span class="weight"></span></button>`;
@@ -140,7 +140,7 @@ export class PoseTiles extends AnimatedElement {
       this.context.thumbnails.ask(tile.querySelector("canvas") as HTMLCanvasElement, {
         face,
         expression: "neutral",
-        pose: tile.dataset.name ?? "",
+        pose: tile.dataset.source ?? "",
       });
   }
 

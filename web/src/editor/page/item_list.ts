@@ -286,7 +286,7 @@ export class ItemListPanel extends EditorElement {
     if (!source) return;
     const [face, expression] = this.kind === "face" ? [source, "neutral"] : [PLAIN, source];
     if (this.kind !== "pose") this.context.thumbnails.ask(canvas, { face, expression });
-    else if (this.store.library?.poses.has(source))
+    else if (this.store.library?.poses.has(this.store.library.sourceOf("poses", source)))
       this.context.thumbnails.ask(canvas, { face: PLAIN, expression: "neutral", pose: source });
   }
 }

@@ -115,7 +115,7 @@ export class Figure {
     if (worn.length === 0 || carried.length === 0) return;
     const restKey = JSON.stringify([worn, carried]);
     if (restKey !== this.restKey) this.rest(worn, carried);
-    if (this.library.poses !== this.poses) this.poseKey = ""; // a name may stand for another pose now
+    if (this.library.poses !== this.poses) this.poseKey = ""; // a pose may have come
     this.poses = this.library.poses;
     const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;

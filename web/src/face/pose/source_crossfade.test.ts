@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { type Pose, restPose } from "./pose";
+import type { SourceKind } from "../../link/assets";
+import { type Pose, restPose, STANDING } from "./pose";
 import { type Arrival, SourceCrossfade } from "./source_crossfade";
 
 const FRAME = 1 / 60;
@@ -8,7 +9,7 @@ const shown: Arrival = () => "shown";
 /** What names stand for, to be changed by the test. */
 const cast = (sources: Record<string, string>) => ({
   known: sources,
-  sourceOf: (_: "faces" | "expressions", name: string): string => sources[name] ?? name,
+  sourceOf: (_: SourceKind, name: string): string => sources[name] ?? name,
 });
 const sum = (weights: Record<string, number>): number =>
   Object.values(weights).reduce((total, part) => total + part, 0);
@@ -23,6 +24,25 @@ describe("a source crossfade", () => {
       { "#1": 1 },
       { smile: 0.5 },
     ]);
+    expect(sourceCrossfade.settled(pose)).toBe(true);
+  });
+
+  it("passes poses over too, of the whole figure and of its regions", () => {
+    const sources = cast({ greet: "#1", nod: "#2" });
+    const sourceCrossfade = new SourceCrossfade(sources);
+    const figure = { ...STANDING, poses: { greet: 0.5, stand: 0.5 }, regions: { head: { nod: 1 } } };
+    const pose: Pose = { ...restPose("dog"), figure };
+    expect(sourceCrossfade.pose(pose, FRAME, shown).figure).toEqual({
+      ...figure,
+      poses: { "#1": 0.5, stand: 0.5 },
+      regions: { head: { "#2": 1 } },
+    });
+    Object.assign(sources.known, { greet: "#3" });
+    for (let time = 0; time < 0.3; time += FRAME) {
+      const { poses, regions } = sourceCrossfade.pose(pose, FRAME, shown).figure ?? STANDING;
+      expect([sum(poses), regions]).toEqual([expect.closeTo(1), { head: { "#2": 1 } }]);
+    }
+    expect(sourceCrossfade.pose(pose, 0, shown).figure?.poses).toEqual({ "#3": 0.5, stand: 0.5 });
     expect(sourceCrossfade.settled(pose)).toBe(true);
   });
 

@@ -1,10 +1,10 @@
 /** Crossfades a name on air from its old source to its new one. */
 
 import { MathUtils } from "three";
+import type { SourceKind as Kind } from "../../link/assets";
 import { expressionNames } from "./mix_terms";
-import type { Pose } from "./pose";
+import type { FigureMix, Pose } from "./pose";
 
-type Kind = "faces" | "expressions";
 type Weights = Record<string, number>;
 
 /** What names stand for (`Library.sourceOf`). */
@@ -31,7 +31,11 @@ interface SourceChange {
  * quarter of a second, once the new one is here; a name that is not on air changes at once.
  */
 export class SourceCrossfade {
-  private readonly changes = { faces: new Map<string, SourceChange>(), expressions: new Map<string, SourceChange>() };
+  private readonly changes: Record<Kind, Map<string, SourceChange>> = {
+    faces: new Map(),
+    expressions: new Map(),
+    poses: new Map(),
+  };
 
   constructor(private readonly sources: SourceNames) {}
 
@@ -41,12 +45,14 @@ export class SourceCrossfade {
     const expressions = expressionNames(pose);
     this.follow("faces", faces);
     this.follow("expressions", expressions);
+    this.follow("poses", poseNames(pose));
     const worn = expressions.flatMap((name) => [...this.shares("expressions", name).keys()]);
     const wearing = faces.flatMap((name) => [...this.shares("faces", name).keys()]);
     for (const change of this.changes.faces.values())
       advance(change, seconds, atOnce ? "shown" : arrival([change.to], worn), atOnce);
     for (const change of this.changes.expressions.values())
       advance(change, seconds, atOnce ? "shown" : arrival(wearing, [change.to]), atOnce);
+    for (const change of this.changes.poses.values()) advance(change, seconds, "shown", atOnce);
     return {
       ...pose,
       faces: this.spread("faces", pose.faces),
@@ -54,6 +60,7 @@ export class SourceCrossfade {
       regions: this.spreadRegions(pose.regions),
       channels: this.spread("expressions", pose.channels),
       added: this.spread("expressions", pose.added),
+      figure: pose.figure && this.spreadFigure(pose.figure),
     };
   }
 
@@ -71,7 +78,11 @@ export class SourceCrossfade {
         const change = this.changes[kind].get(name);
         return change === undefined || (change.progress === 1 && change.to === this.sources.sourceOf(kind, name));
       });
-    return rests("faces", Object.keys(pose.faces)) && rests("expressions", expressionNames(pose));
+    return (
+      rests("faces", Object.keys(pose.faces)) &&
+      rests("expressions", expressionNames(pose)) &&
+      rests("poses", poseNames(pose))
+    );
   }
 
   /** Remembers what the names on air stand for, and forgets the others. */
@@ -99,6 +110,12 @@ export class SourceCrossfade {
     return spread;
   }
 
+  /** What a figure does, its poses by source. */
+  private spreadFigure(figure: FigureMix): FigureMix {
+    const regions = Object.entries(figure.regions).map(([region, mix]) => [region, this.spread("poses", mix)] as const);
+    return { ...figure, poses: this.spread("poses", figure.poses), regions: Object.fromEntries(regions) };
+  }
+
   private spread(kind: Kind, weights: Weights): Weights {
     const spread: Weights = {};
     for (const name in weights)
@@ -106,6 +123,12 @@ export class SourceCrossfade {
         spread[source] = (spread[source] ?? 0) + share * (weights[name] as number);
     return spread;
   }
+}
+
+/** The poses that a figure does, in the whole and in regions. */
+function poseNames({ figure }: Pose): readonly string[] {
+  if (!figure) return [];
+  return [...new Set([figure.poses, ...Object.values(figure.regions)].flatMap((mix) => Object.keys(mix)))];
 }
 
 function advance(change: SourceChange, seconds: number, arrival: "away" | "here" | "shown", atOnce: boolean): void {
