@@ -47,4 +47,4 @@ def test_both_sides_of_the_trunk_mirror_each_other() -> None:
 
 def test_values_of_another_shape_are_refused() -> None:
     with pytest.raises(ValueError, match="three for each row"):
-        LimbField("a", "A", "", np.zeros((4, 2)))
+        LimbField("a", "A", "", np.zeros((4, 2), np.float32))

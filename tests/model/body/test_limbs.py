@@ -14,7 +14,7 @@ FIGURES = load_figures()
 SPACE = FIGURES.limbs
 GENERIC = FIGURES.bodies["generic"]
 ROWS = np.concatenate([np.zeros((FIGURES.space.head_rows, 3)), GENERIC.positions])
-AXES = limb_axes(FIGURES.space.skeleton, GENERIC.joints)
+AXES = limb_axes(FIGURES.space.skeleton, GENERIC.joints.astype(np.float64))
 
 
 @pytest.mark.parametrize("limb", LIMBS, ids=lambda limb: limb.name)

@@ -122,7 +122,7 @@ def make_fields(recipe: LimbRecipe, space: LimbSpace) -> list[LimbField]:
     ]
 
 
-def _sample(bumps: Iterable[Bump], space: LimbSpace, sides: tuple[str, ...]) -> Values:
+def _sample(bumps: Iterable[Bump], space: LimbSpace, sides: tuple[str, ...]) -> Floats:
     """The sum of bumps (n, 3) on the limbs of these sides."""
     values = np.zeros((len(space.rows), 3))
     for bump in bumps:
@@ -135,7 +135,7 @@ def _sample(bumps: Iterable[Bump], space: LimbSpace, sides: tuple[str, ...]) -> 
             bell, turned = bell + other, bell - other
         amounts = np.stack([bump.out * bell, np.radians(bump.round) * turned, bump.along * bell], axis=1)
         values[own] += space.shares[own, None] * amounts
-    return values
+    return values.astype(np.float32)
 
 
 def _bell(bump: Bump, ways: Values, angles: Values, side: float) -> Values:
