@@ -29,7 +29,7 @@ from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
 from omote.model.body.hinges import BENDS, HINGES
-from omote.model.body.limb_field import BREATH
+from omote.model.body.limb_recipe import BREATH
 from omote.model.body.limbs import LIMBS
 from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.fitting.landmarks import SEVEN

@@ -19,9 +19,10 @@ from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
-from omote.builtin.figurefile import figures_of, read_limb_fields, read_poses
+from omote.builtin.figurefile import figures_of, read_poses
 from omote.builtin.limb_channels import with_limb_channels
 from omote.model.body.figures import Figures
+from omote.model.body.limb_recipe import read_limb_recipes
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
@@ -97,7 +98,7 @@ def load_meshes() -> tuple[BakedMesh, ...]:
 def load_figures() -> Figures:
     """The bodies of the built-in cast, one mesh with its heads; errors as `load_cast`."""
     try:
-        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()), read_limb_fields(LIMB_FIELDS.read_bytes()))
+        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()), read_limb_recipes(LIMB_FIELDS.read_bytes()))
     except (KeyError, ValueError) as error:
         raise _broken(FIGURES, error) from error
 

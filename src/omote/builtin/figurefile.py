@@ -32,7 +32,8 @@ from omote.model.body.compose_pose import pose_of
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
 from omote.model.body.garment import Garment
-from omote.model.body.limb_field import LimbRecipe, make_fields
+from omote.model.body.limb_field import make_fields
+from omote.model.body.limb_recipe import LimbRecipe
 from omote.model.body.limbs import unroll_limbs
 from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import NamedPose
@@ -85,11 +86,6 @@ def figures_of(arrays: Arrays, recipes: Iterable[NamedPose], limb_recipes: Itera
 def read_poses(text: bytes) -> list[NamedPose]:
     """The poses of a TOML text, a table `pose` for each; ValueError where it holds something else."""
     return msgspec.toml.decode(text, type=dict[Literal["pose"], list[NamedPose]])["pose"]
-
-
-def read_limb_fields(text: bytes) -> list[LimbRecipe]:
-    """The limb fields of a TOML text, a table `field` for each; ValueError where it holds something else."""
-    return msgspec.toml.decode(text, type=dict[Literal["field"], list[LimbRecipe]])["field"]
 
 
 def _poses(recipes: Iterable[NamedPose], space: FigureSpace) -> dict[str, Pose]:

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from omote.model.body.limb_recipe import LIMB_KIND
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression, Title
 
-KIND = "limb"
 REGION = "body"
 
 
@@ -38,5 +38,5 @@ def with_limb_channels(cast: Cast) -> Cast:
         )
         for name in fields
     }  # fmt: skip
-    titles = {name: Title(field.label, KIND, REGION) for name, field in fields.items()}
+    titles = {name: Title(field.label, LIMB_KIND, REGION) for name, field in fields.items()}
     return replace(cast, expressions={**cast.expressions, **channels}, titles={**cast.titles, **titles})

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from omote.model.body.limb_field import Bump, LimbField, LimbRecipe, make_fields
+from omote.model.body.limb_field import LimbField, make_fields
+from omote.model.body.limb_recipe import Bump, LimbRecipe
 from omote.model.body.limbs import LIMB_PLACES, LimbSpace
 
 

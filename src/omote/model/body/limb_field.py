@@ -4,62 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Annotated, Literal
 
-import msgspec
 import numpy as np
 
 from omote.arrays import Floats, Values
 from omote.geometry.cylinder import wrap
 from omote.geometry.mesh import freeze, validate_numbers
+from omote.model.body.limb_recipe import Bump, LimbChannel, LimbRecipe, limb_channels
 from omote.model.body.limbs import LIMB_PLACES, LimbSpace
 from omote.model.space.expression import refuse_name
 
-LimbName = Literal["trunk", "upperarm", "lowerarm", "upperleg", "lowerleg"]
-Driver = Literal["", "elbow", "knee", "breath"]
-BREATH = "breath"
-"""What drives a field: the breath that is in the chest."""
 HINGE_BONES = {"elbow": "lowerarm01", "knee": "lowerleg01"}
 """The bone that begins at the hinge, without its side."""
-SIDES_OF_NAMES = {"Left": "L", "Right": "R"}
-MOST = 0.6
-"""How far a bump goes out, of the limb's radius, and along, of its length."""
-
-Share = Annotated[float, msgspec.Meta(ge=-0.5, le=1.5)]
-Degrees = Annotated[float, msgspec.Meta(ge=-180.0, le=180.0)]
-Size = Annotated[float, msgspec.Meta(gt=0.0, le=180.0)]
-Much = Annotated[float, msgspec.Meta(ge=-MOST, le=MOST)]
-
-
-class Bump(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A bump on a limb: `(1 - d^2)^2` around its middle, where d is how far off it is, in its own half lengths.
-
-    way, angle: of its middle, shares of the limb and degrees (0 ahead, + outward, on the trunk to the left); long,
-    wide: half of how far it reaches along (a share of the limb) and around (degrees; 0: all around); out: how far it
-    goes out, a ratio of the radius; round: degrees that it turns about the axis; along: how far it moves to the limb's
-    end, a ratio of its length; both: on the trunk, on the other side too.
-    """
-
-    limb: LimbName
-    way: Share
-    angle: Degrees = 0.0
-    long: Size = 0.2
-    wide: Annotated[float, msgspec.Meta(ge=0.0, le=180.0)] = 0.0
-    out: Much = 0.0
-    round: Annotated[float, msgspec.Meta(ge=-30.0, le=30.0)] = 0.0
-    along: Much = 0.0
-    both: bool = False
-
-
-class LimbRecipe(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A limb field as people write it: its name and label, of a pair without the side (`pair`: bicepsLeft and
-    bicepsRight, a channel each); what drives it; its bumps."""
-
-    name: str
-    label: str
-    bumps: tuple[Bump, ...]
-    pair: bool = False
-    driver: Driver = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,19 +63,18 @@ def make_fields(recipe: LimbRecipe, space: LimbSpace) -> list[LimbField]:
 
     recipe: how it was written; space: of the rows.
     """
-    if not recipe.pair:
-        driver = "" if recipe.driver != BREATH else BREATH
-        return [LimbField(recipe.name, recipe.label, driver, _sample(recipe.bumps, space, ("L", "R")))]
-    bones = HINGE_BONES.get(recipe.driver)
     return [
-        LimbField(
-            recipe.name + name,
-            f"{recipe.label}, {name.lower()}",
-            recipe.driver if bones is None else f"{bones}.{side}",
-            _sample(recipe.bumps, space, (side,)),
-        )
-        for name, side in SIDES_OF_NAMES.items()
+        LimbField(channel.name, channel.label, _driver(recipe, channel), _sample(recipe.bumps, space, channel.sides))
+        for channel in limb_channels(recipe)
     ]
+
+
+def _driver(recipe: LimbRecipe, channel: LimbChannel) -> str:
+    """What drives a channel: of a hinge the one on its side, and both sides at once have none."""
+    bone = HINGE_BONES.get(recipe.driver)
+    if bone is None:
+        return recipe.driver
+    return f"{bone}.{channel.sides[0]}" if recipe.pair else ""
 
 
 def _sample(bumps: Iterable[Bump], space: LimbSpace, sides: tuple[str, ...]) -> Floats:
