@@ -33,8 +33,19 @@ from omote.show.objects.pictures import CallLight
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks.stage import CHANNELS, CHROMIUM, COMMAND, HEIGHT, READY, WIDTH, Player, during, intervals, read_address
-from omote.builtin import load_cast
+from benchmarks.stage import (
+    CHANNELS,
+    CHROMIUM,
+    COMMAND,
+    HEIGHT,
+    READY,
+    WIDTH,
+    Player,
+    during,
+    intervals,
+    moving_channels,
+    read_address,
+)
 from omote.server.headless.picture_renderer import serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import PAGES, Page, read_pages
@@ -205,7 +216,7 @@ async def measure(url: str, plain: dict[str, Page] | None, runs: int) -> list[Ro
     path = find_browser()
     if path is None:
         raise SystemExit(SENTENCE)
-    channels = [name for name in load_cast().expressions if name != "neutral"][-CHANNELS:]
+    channels = moving_channels()
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
         pictures = [await first_picture(browser, url) for _ in range(runs)]

@@ -25,8 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.peers.frame_costs import LEVELS
 from benchmarks.peers.three_head import ADDRESS, EXPORT, THREE
-from benchmarks.stage import CHANNELS, CHROMIUM, HEIGHT, WIDTH
-from omote.builtin import load_cast
+from benchmarks.stage import CHROMIUM, HEIGHT, WIDTH, moving_channels
 from omote.server.headless.picture_renderer import serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
@@ -89,7 +88,7 @@ async def open_peer(browser: Browser, file: Path) -> Page:
 
 async def measure(face: str, rounds: int) -> dict[str, list[float]]:
     """The median milliseconds of each round, by what is drawn."""
-    channels = [name for name in load_cast().expressions if name != "neutral"][-CHANNELS:]
+    channels = moving_channels()
     asked: dict[str, Any] = {"face": face, "channels": channels, "frames": FRAMES}
     costs: dict[str, list[float]] = {}
     with tempfile.TemporaryDirectory() as folder:

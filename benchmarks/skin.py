@@ -31,7 +31,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import omote
 from benchmarks.peers.frame_costs import LEVELS, open_level
-from benchmarks.stage import CHANNELS, CHROMIUM, HEIGHT, WIDTH
+from benchmarks.stage import CHROMIUM, HEIGHT, WIDTH, moving_channels
 from omote.model.space.complexion import PALE
 from omote.server.headless.picture_renderer import serve_pages
 from omote.server.http.cast_documents import built_in_documents
@@ -91,7 +91,7 @@ async def turns(rounds: int, levels: tuple[str, ...]) -> dict[str, list[float]]:
     path = find_browser()
     if path is None:
         raise SystemExit(SENTENCE)
-    channels = [name for name in omote.load_cast().expressions if name != "neutral"][-CHANNELS:]
+    channels = moving_channels()
 
     async def frame(page: Page, pose: Mapping[str, Any]) -> float:
         asked = {"pose": pose, "channels": channels, "frames": FRAMES}

@@ -249,12 +249,17 @@ async def shown(browser: Browser, url: str, head: Head, runs: int, frame: float)
     ]
 
 
+def moving_channels() -> list[str]:
+    """The last `CHANNELS` channels of the cast that move heads."""
+    return [name for name, title in load_cast().titles.items() if title.kind not in ("neutral", "limb")][-CHANNELS:]
+
+
 async def measure(url: str, face: str, rounds: int, runs: int, folder: Path) -> tuple[str, list[Comparison]]:
     """The renderer's name and all figures, in one browser."""
     path = find_browser()
     if path is None:
         raise SystemExit(SENTENCE)
-    head = export_head(face, [name for name in load_cast().expressions if name != "neutral"][-CHANNELS:], folder)
+    head = export_head(face, moving_channels(), folder)
     async with serve_pages(built_in_documents(), read_pages()) as pages, async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
         renderer = await renderer_of(browser)

@@ -26,7 +26,7 @@ async def play(address: str) -> list[dict[str, Any]]:
     """What a console hears from hello until its call has arrived."""
     heard = []
     async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
-        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 13}))
+        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 14}))
         call = {
             "type": "call_face",
             "character": "one",

@@ -29,6 +29,8 @@ from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
 from omote.model.body.hinges import BENDS, HINGES
+from omote.model.body.limb_recipe import BREATH
+from omote.model.body.limbs import LIMBS
 from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.fitting.landmarks import SEVEN
 from omote.model.folding import LIDS, RANGE
@@ -44,6 +46,7 @@ from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.figures.figure_axes import FACES_OWN
+from omote.perform.figures.limb_mix import TENSED
 from omote.perform.figures.pose_mix import BREATH_IN, CHEST, WEIGHT
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.layers.source_frame import SPEECH
@@ -228,6 +231,12 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "POSE_REGIONS": ("The parts of a figure that can do a pose of their own.", POSE_REGIONS),
     "BENDS": ("Degrees from the straight limb at which bodies have correctives.", BENDS),
     "HINGES": ("Where limbs that bend begin, where they bend and where they end, as bones.", HINGES),
+    "LIMBS": (
+        "The limbs: where the axis of each begins and ends, as bones, and the sense in which angles grow about it.",
+        [[limb.begin, limb.end, limb.outward] for limb in LIMBS],
+    ),
+    "TENSED": ("Degrees of a hinge from which on it drives a limb field, and at which it drives all of it.", TENSED),
+    "BREATH": ("What drives a limb field: the breath in the chest.", BREATH),
     "BREATH_IN": ("The pose of a figure with a breath in its chest.", BREATH_IN),
     "CHEST": ("The pose of a figure whose chest has followed its head.", CHEST),
     "WEIGHT": ("The poses of a figure whose weight is on its left foot, and on its right.", WEIGHT),

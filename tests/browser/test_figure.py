@@ -69,7 +69,8 @@ def bare_rows(cast: Cast) -> Mask:
 def test_figures_equal_the_python_of_bodies_poses_and_skinning(
     stage: Callable[..., Page], cast: Cast, level: str
 ) -> None:
-    """Mixes of faces, bodies, poses, regions that go their own way, an expression, a turned head, idle motion."""
+    """Mixes of faces, bodies, poses, regions that go their own way, an expression, a turned head, idle motion, and limb
+    fields: those that are called, and those that bent elbows and breath drive."""
     page = stage(f"?quality={level}&shot=full")
     rng = np.random.default_rng(34)
     bare = bare_rows(cast)
@@ -86,23 +87,19 @@ def test_figures_equal_the_python_of_bodies_poses_and_skinning(
         expressions = {"smile": 0.5, "neutral": 0.5}
         figure: Mapping[str, Any] = {"poses": poses, "regions": regions, "bodies": bodies}
         idle = rng.uniform((0.0, -1.0, -1.0), 1.0).tolist()
-        hold(page, {"faces": faces, "expressions": expressions, "head": head, "figure": figure, "idle": idle})
+        channels = {"calfLeft": rng.uniform(0.2, 1.4), "puffedSleeves": rng.uniform(0.2, 1.0)}
+        told = {"faces": faces, "expressions": expressions, "channels": channels, "head": head, "figure": figure}
+        hold(page, told | {"idle": idle})
         drawn = floats(page, "window.omoteStage.readFigure()").reshape(-1, 3)
-        wrong = np.linalg.norm(drawn - expected(cast, faces, expressions, {**figure, "idle": idle}, head), axis=1)
+        wrong = np.linalg.norm(drawn - expected(cast, told, {**figure, "idle": idle}), axis=1)
         assert wrong[bare].max() < TOLERANCE, (figure, wrong.argmax())
 
 
-def expected(
-    cast: Cast,
-    faces: dict[str, float],
-    expressions: dict[str, float],
-    figure: Mapping[str, Any],
-    head: list[float],
-) -> Floats:
-    """The rows of a figure as Python has them. head: yaw, pitch and roll, radians."""
+def expected(cast: Cast, told: Mapping[str, Any], figure: Mapping[str, Any]) -> Floats:
+    """The rows of a figure as Python has them. told: as a stage is."""
     on = FigureFrame(figure["poses"], figure["regions"], figure["bodies"], None, {}, None, 0.0)
-    yaw, pitch, roll = head
-    frame = Frame(faces, expressions, head=Head(yaw, pitch, roll), figure=on, idle=figure["idle"])
+    faces, expressions, channels = (told[what] for what in ("faces", "expressions", "channels"))
+    frame = Frame(faces, expressions, channels, Head(*told["head"]), figure=on, idle=figure["idle"])
     return omote.evaluate_figure(cast, frame)
 
 

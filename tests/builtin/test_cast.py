@@ -34,6 +34,7 @@ from tools.baking.expressions import (
 )
 
 CAST = omote.load_cast()
+LIMBS = [*builtin.load_figures().limb_fields]
 GENERIC = CAST.faces["generic"]
 FACES = list(CAST.faces.values())
 ANIMAL_EMOTIONS = ("surprise", "sad", "disgust", "angry", "fear")
@@ -100,10 +101,10 @@ def test_all_units_are_there_by_their_exact_names() -> None:
     for name in CAST.expressions:
         kinds.setdefault(CAST.titles[name].kind, []).append(name)
     expected = {"neutral": ["neutral"], "performed": [*PERFORMED], "arkit": [*ARKIT], "makehuman": [*MAKEHUMAN]}
-    expected |= {"omote": [*OMOTE], "spring": [*SPRINGS]}
+    expected |= {"omote": [*OMOTE], "spring": [*SPRINGS], "limb": LIMBS}
     assert kinds == expected
     assert {kind: len(names) for kind, names in kinds.items()} == {
-        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "omote": 6, "spring": 4,
+        "neutral": 1, "performed": 20, "arkit": 52, "makehuman": 34, "omote": 6, "spring": 4, "limb": 10,
     }  # fmt: skip
     assert {
         "smile",
@@ -120,7 +121,7 @@ def test_all_units_are_there_by_their_exact_names() -> None:
 
 
 def test_titles_name_a_region_of_the_face() -> None:
-    regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "ears", "whole"}
+    regions = {"brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "ears", "whole", "body"}
     assert {title.region for title in CAST.titles.values()} == regions
     assert CAST.titles["mouth-corner-puller"].label == "Smile with closed lips"
 
@@ -130,7 +131,7 @@ def test_every_expression_but_neutral_moves_something() -> None:
         still = (
             moved_skin(name).max() < 1e-5 and still_parts(name) == {*PARTS} and not CAST.expressions[name].eyes.any()
         )
-        assert still == (name == "neutral" or name in (*OMOTE, *SPRING_EARS)), name
+        assert still == (name == "neutral" or name in (*OMOTE, *SPRING_EARS, *LIMBS)), name
 
 
 def test_pupils_move_by_what_the_table_says() -> None:

@@ -1,7 +1,7 @@
 """Draws the contact sheets of docs/gallery.md as `omote render` draws; names as arguments draw only those.
 
 docs/pictures/gallery-*.jpg: ten expressions of four faces, a turntable of every face, mouths open at 30 degrees, eyes
-at nine gazes, the lights, other backgrounds, half-way morphs, figures in poses. Judge by eye.
+at nine gazes, the lights, other backgrounds, half-way morphs, figures in poses, limb fields. Judge by eye.
 """
 
 from __future__ import annotations
@@ -25,6 +25,13 @@ MOUTHS = {
     "funnel": "mouthFunnel+jawOpen=0.4",
 }
 POSES = {"stand": "neutral", "wave": "smile", "think": "doubt", "point": "angry", "shrug": "kiss", "bow": "smile"}
+LIMBS = {
+    "as they are": "",
+    "belly": "belly",
+    "chest": "chest",
+    "thighs, calves": "thighLeft+thighRight+calfLeft+calfRight",
+    "puffed sleeves": "puffedSleeves",
+}
 GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", "30,-25")
 LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
 MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
@@ -101,6 +108,15 @@ def figures(cast: Cast) -> Picture:
     return Picture("gallery-figures", grid_of(cast, rows), Setting(240, 400, framing="full"))
 
 
+def limbs(cast: Cast) -> Picture:
+    """Limb fields on four bodies, dark before a light ground: what they do shows in the outline."""
+    rows = [
+        (face, [(name, {"face": face, "channel": worn, "light": "portrait"}) for name, worn in LIMBS.items()])
+        for face in ("kaori", "heavy", "child", "dog")
+    ]
+    return Picture("gallery-limbs", grid_of(cast, rows), Setting(240, 400, background=PAPER, framing="full"))
+
+
 def gallery(cast: Cast) -> list[Picture]:
     """All sheets of the gallery."""
     blue = Setting(400, 430, background=BLUE)
@@ -115,6 +131,7 @@ def gallery(cast: Cast) -> list[Picture]:
         draw_keyed(cast, "transparent", clear, PAPER),
         morphs(cast),
         figures(cast),
+        limbs(cast),
     ]
 
 

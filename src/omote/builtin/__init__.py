@@ -20,7 +20,9 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
 from omote.builtin.figurefile import figures_of, read_poses
+from omote.builtin.limb_channels import with_limb_channels
 from omote.model.body.figures import Figures
+from omote.model.body.limb_recipe import read_limb_recipes
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
@@ -42,6 +44,7 @@ CAST = HERE / "cast.npz"
 MASK = HERE / "mask.png"
 FIGURES = HERE / "figures.npz"
 POSES = HERE / "poses.toml"
+LIMB_FIELDS = HERE / "limbs.toml"
 NOTICE = HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
@@ -57,7 +60,8 @@ def load_cast() -> Cast:
     Returns
     -------
     Cast
-        The same object for every caller; it is frozen. 4278 vertices of skin, 17 faces, 117 expressions.
+        The same object for every caller; it is frozen. 4278 vertices of skin, 17 faces, 127 expressions, ten of
+        which play limb fields of figures alone.
 
     Raises
     ------
@@ -78,7 +82,7 @@ def load_cast() -> Cast:
     ----------
     docs/conventions.md for units and axes; the meshes are CC0, see the notice beside the cast.
     """
-    return replace(read_cast(CAST), figures=load_figures())
+    return with_limb_channels(replace(read_cast(CAST), figures=load_figures()))
 
 
 @functools.cache
@@ -94,7 +98,7 @@ def load_meshes() -> tuple[BakedMesh, ...]:
 def load_figures() -> Figures:
     """The bodies of the built-in cast, one mesh with its heads; errors as `load_cast`."""
     try:
-        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()))
+        return figures_of(_arrays(FIGURES), read_poses(POSES.read_bytes()), read_limb_recipes(LIMB_FIELDS.read_bytes()))
     except (KeyError, ValueError) as error:
         raise _broken(FIGURES, error) from error
 

@@ -32,6 +32,9 @@ from omote.model.body.compose_pose import pose_of
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.figures import Figures
 from omote.model.body.garment import Garment
+from omote.model.body.limb_field import make_fields
+from omote.model.body.limb_recipe import LimbRecipe
+from omote.model.body.limbs import unroll_limbs
 from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import NamedPose
 from omote.model.body.skeleton import Skeleton
@@ -43,10 +46,10 @@ PLACES = ("positions", "edge", "joints", "ends", "correctives")
 Arrays = Mapping[str, NDArray[Any]]
 
 
-def figures_of(arrays: Arrays, recipes: Iterable[NamedPose]) -> Figures:
+def figures_of(arrays: Arrays, recipes: Iterable[NamedPose], limb_recipes: Iterable[LimbRecipe] = ()) -> Figures:
     """The figures that the arrays hold; ValueError or KeyError where they are not of this version.
 
-    arrays: of figures.npz; recipes: of the poses beside the stand.
+    arrays: of figures.npz; recipes: of the poses beside the stand; limb_recipes: of the limb fields.
     """
     if int(arrays["format"]) != FIGURE_FORMAT:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads format {FIGURE_FORMAT}")
@@ -74,7 +77,10 @@ def figures_of(arrays: Arrays, recipes: Iterable[NamedPose]) -> Figures:
     written = {recipe.name: recipe for recipe in recipes}
     bodies = {name: _body(arrays, name) for name in about["bodies"]}
     garments = {name: _garment(arrays, name, label) for name, label in about["garments"]}
-    return Figures(space, bodies, _poses(written.values(), space), garments, MappingProxyType(written))
+    limbs = unroll_limbs(space, next(iter(bodies.values())))
+    fields = {field.name: field for recipe in limb_recipes for field in make_fields(recipe, limbs)}
+    poses = _poses(written.values(), space)
+    return Figures(space, bodies, poses, garments, MappingProxyType(written), limbs, MappingProxyType(fields))
 
 
 def read_poses(text: bytes) -> list[NamedPose]:

@@ -10,7 +10,7 @@ from omote.model.space.complexion import PALE, ComplexionNumbers
 from omote.show.declaration import Name
 
 Tags = Annotated[list[Name], msgspec.Meta(max_length=20)]
-Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "spring", "own"]
+Kind = Literal["neutral", "performed", "arkit", "makehuman", "omote", "spring", "limb", "own"]
 
 
 class Look(msgspec.Struct, frozen=True):
@@ -291,6 +291,16 @@ class HairAsset(msgspec.Struct, frozen=True):
     fullness: bytes
 
 
+class LimbFieldAsset(msgspec.Struct, frozen=True):
+    """A limb field: its channel's name, what drives it (`model.body.limb_field`); `places` (k,) u32 among the rows that
+    lie on limbs, `values` (k, 3) f32: out (a ratio of the radius), round (radians), along (a ratio of the length)."""
+
+    name: str
+    driver: str
+    places: bytes
+    values: bytes
+
+
 class FigureAsset(msgspec.Struct, frozen=True):
     """What all bodies share (`model.body.figure_space`), little-endian; V rows of the head's skin, B of the body.
 
@@ -299,7 +309,8 @@ class FigureAsset(msgspec.Struct, frozen=True):
     head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
     `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
     are the last of the body; `bending` (c,) u32 rows with correctives, `bending_hinges` (c,) u8; `garments` (g, V + B,
-    4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`).
+    4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`);
+    `limb_rows` (l,) u32 rows that lie on limbs, `limbs` (l,) u8 which one, `limb_ways` (l,) f32 how far along it.
     """
 
     bones: list[str]
@@ -321,6 +332,10 @@ class FigureAsset(msgspec.Struct, frozen=True):
     bending: bytes
     bending_hinges: bytes
     garments: bytes
+    limb_rows: bytes
+    limbs: bytes
+    limb_ways: bytes
+    limb_fields: list[LimbFieldAsset]
 
 
 class BodyAsset(msgspec.Struct, frozen=True):

@@ -26,7 +26,7 @@ from omote.show.cast_documents import (
 from omote.show.declaration import ClientMessage, Declared, Message, ServerMessage, kinds_below, tag_of
 from omote.show.objects.documents import Document
 
-PROTOCOL_VERSION = 13
+PROTOCOL_VERSION = 14
 LINK_PATH = "/link"
 STATE_RATE = 60.0
 """States per second."""

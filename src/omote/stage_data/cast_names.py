@@ -11,12 +11,14 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from omote.interchange.name_choices import NamedExpressions
+from omote.model.body.limb_recipe import LIMB_KIND, limb_channels, read_limb_recipes
 from omote.perform.name_lookup import OWN, find_name
 from omote.showfile.changes import Stored, playing_items
 from omote.stage_data.pose_words import PoseWords, merge_names
 
 CAST = Path(__file__).parents[1] / "builtin" / "cast.npz"
 """The package `builtin` has the rest of it, and loads Numba."""
+LIMB_FIELDS = CAST.with_name("limbs.toml")
 
 
 class NameTitle(NamedTuple):
@@ -77,6 +79,8 @@ def read_names(stored: Stored | None = None, /, path: Path = CAST) -> CastNames 
         about, styles = _read_about(path)
         faces: dict[str, str] = dict.fromkeys(about["faces"], "")
         titles = {row["name"]: NameTitle(row["label"], row["kind"]) for row in about["expressions"]}
+        for recipe in read_limb_recipes(LIMB_FIELDS.read_bytes()):
+            titles |= {each.name: NameTitle(each.label, LIMB_KIND) for each in limb_channels(recipe)}
     except (OSError, ValueError, KeyError, TypeError, zipfile.BadZipFile):
         return None
     for item, _ in playing_items(stored) if stored is not None else ():

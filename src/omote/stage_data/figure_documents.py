@@ -11,6 +11,7 @@ import numpy as np
 from omote.model.body.body import Body
 from omote.model.body.figures import Figures
 from omote.model.body.garment import FIELDS, Garment
+from omote.model.body.limb_field import LimbField
 from omote.model.body.pose import Pose
 from omote.show.cast_documents import (
     BodyAsset,
@@ -18,6 +19,7 @@ from omote.show.cast_documents import (
     FigureAsset,
     FiguresDocument,
     GarmentDocument,
+    LimbFieldAsset,
     PoseDocument,
 )
 from omote.show.wire import le_bytes
@@ -71,12 +73,22 @@ def figure_asset(figures: Figures) -> FigureAsset:
         bending=le_bytes(space.bending, "<u4"),
         bending_hinges=le_bytes(space.bending_hinges, "u1"),
         garments=b"".join(garment_bytes(garment) for garment in figures.garments.values()),
+        limb_rows=le_bytes(figures.limbs.rows, "<u4"),
+        limbs=le_bytes(figures.limbs.limbs, "u1"),
+        limb_ways=le_bytes(figures.limbs.ways, "<f4"),
+        limb_fields=[limb_field_asset(field) for field in figures.limb_fields.values()],
     )
 
 
 def garment_bytes(garment: Garment) -> bytes:
     """The fields of one garment."""
     return le_bytes(np.stack([getattr(garment, field) for field in FIELDS], axis=1), "<f4")
+
+
+def limb_field_asset(field: LimbField) -> LimbFieldAsset:
+    """One limb field, where it moves something."""
+    places = np.flatnonzero(field.values.any(axis=1))
+    return LimbFieldAsset(field.name, field.driver, le_bytes(places, "<u4"), le_bytes(field.values[places], "<f4"))
 
 
 def body_asset(body: Body) -> BodyAsset:

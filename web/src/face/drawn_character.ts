@@ -36,6 +36,7 @@ import { SHADOW_CENTRE, Shadow } from "./light/shadow";
 import { dropOf, placed, placeMatrix } from "./placement";
 import { complexionOf } from "./pose/complexion";
 import { headOf } from "./pose/head_answer";
+import { expressionWeights } from "./pose/mix_terms";
 import { NO_IDLE, type Pose, STANDING, writeTurn } from "./pose/pose";
 import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
@@ -465,6 +466,7 @@ export class DrawnCharacter {
       head: this.turn,
       faces: called.faces,
       sources: pose.faces,
+      worn: expressionWeights(pose),
     };
     figure.move(call);
     const { turn, pivot, place } = figure.head;

@@ -84,6 +84,12 @@ export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"]
 export const BENDS = [45.0, 90.0, 130.0] as const;
 /** Where limbs that bend begin, where they bend and where they end, as bones. */
 export const HINGES = [["upperarm01.L", "lowerarm01.L", "wrist.L"], ["upperarm01.R", "lowerarm01.R", "wrist.R"], ["upperleg01.L", "lowerleg01.L", "foot.L"], ["upperleg01.R", "lowerleg01.R", "foot.R"]] as const;
+/** The limbs: where the axis of each begins and ends, as bones, and the sense in which angles grow about it. */
+export const LIMBS = [["spine05", "neck01", 1.0], ["upperarm01.L", "lowerarm01.L", -1.0], ["upperarm01.R", "lowerarm01.R", 1.0], ["lowerarm01.L", "wrist.L", -1.0], ["lowerarm01.R", "wrist.R", 1.0], ["upperleg01.L", "lowerleg01.L", -1.0], ["upperleg01.R", "lowerleg01.R", 1.0], ["lowerleg01.L", "foot.L", -1.0], ["lowerleg01.R", "foot.R", 1.0]] as const;
+/** Degrees of a hinge from which on it drives a limb field, and at which it drives all of it. */
+export const TENSED = [30.0, 130.0] as const;
+/** What drives a limb field: the breath in the chest. */
+export const BREATH = "breath";
 /** The pose of a figure with a breath in its chest. */
 export const BREATH_IN = "breath_in";
 /** The pose of a figure whose chest has followed its head. */

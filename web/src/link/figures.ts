@@ -1,8 +1,8 @@
 /** Reads figures: what all bodies share, each body, and the poses. */
 
 import { aligned } from "./arrays";
-import { BENDS, HINGES } from "./constants";
-import type { BodyAsset, FigureAsset, PoseDocument } from "./messages";
+import { BENDS, HINGES, LIMBS } from "./constants";
+import type { BodyAsset, FigureAsset, LimbFieldAsset, PoseDocument } from "./messages";
 
 /** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body, a skirt's the last. */
 export interface FigureSpace {
@@ -35,6 +35,18 @@ export interface FigureSpace {
   readonly bendingHinges: Uint8Array;
   /** By name: cover, thick, trim and hidden of each row (V + B, 4), metres (`model.body.garment`). */
   readonly garments: ReadonlyMap<string, Float32Array>;
+  /** Rows that lie on limbs (l,), on which of `LIMBS`, and how far along it. */
+  readonly limbRows: Uint32Array;
+  readonly limbs: Uint8Array;
+  readonly limbWays: Float32Array;
+  readonly limbFields: ReadonlyMap<string, LimbField>;
+}
+
+/** A limb field: what drives it; which of the rows on limbs it moves, and how (k, 3): out, round, along. */
+export interface LimbField {
+  readonly driver: string;
+  readonly places: Uint32Array;
+  readonly values: Float32Array;
 }
 
 /** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3), and
@@ -88,6 +100,10 @@ export function readFigureSpace(asset: FigureAsset, skin: number, garments: read
     bending: new Uint32Array(aligned(asset.bending)),
     bendingHinges: new Uint8Array(aligned(asset.bending_hinges)),
     firstOfSkirt: skirt.reduce((least, row) => Math.min(least, row), rows),
+    limbRows: new Uint32Array(aligned(asset.limb_rows)),
+    limbs: new Uint8Array(aligned(asset.limbs)),
+    limbWays: new Float32Array(aligned(asset.limb_ways)),
+    limbFields: new Map(asset.limb_fields.map((field) => [field.name, readLimbField(field)])),
     garments: new Map(garments.map((name, place) => [name, worn.subarray(4 * rows * place, 4 * rows * (place + 1))])),
   };
   const fits =
@@ -103,10 +119,26 @@ export function readFigureSpace(asset: FigureAsset, skin: number, garments: read
     space.bendingHinges.length === space.bending.length &&
     space.bending.every((row) => row >= skin && row < rows) &&
     space.bendingHinges.every((hinge) => hinge < HINGES.length) &&
-    joined.every((row) => row < space.bodyRows);
+    joined.every((row) => row < space.bodyRows) &&
+    limbsFit(space);
   if (!fits) throw new Error(`The figures of ${rows} rows do not fit a head of ${skin}; bake the cast again.`);
   return space;
 }
+
+const readLimbField = ({ driver, places, values }: LimbFieldAsset): LimbField => ({
+  driver,
+  places: new Uint32Array(aligned(places)),
+  values: new Float32Array(aligned(values)),
+});
+
+const limbsFit = ({ limbRows, limbs, limbWays, limbFields, headRows, bodyRows }: FigureSpace): boolean =>
+  limbs.length === limbRows.length &&
+  limbWays.length === limbRows.length &&
+  limbs.every((limb) => limb < LIMBS.length) &&
+  limbRows.every((row) => row >= headRows && row < headRows + bodyRows) &&
+  [...limbFields.values()].every(
+    ({ places, values }) => values.length === 3 * places.length && places.every((place) => place < limbRows.length),
+  );
 
 /** Weights that sum to 65535 row by row: rounding is the first bone's, which weighs most. */
 function summedUp(weights: Uint16Array): Uint16Array {

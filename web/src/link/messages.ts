@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 13;
+export const PROTOCOL_VERSION = 14;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
@@ -1966,7 +1966,7 @@ export type FaceDocument = {
 export type ExpressionDocument = {
   name: string;
   label: string;
-  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "spring" | "own";
+  kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "spring" | "limb" | "own";
   region: string;
   eyes: [number, number, number, number];
   pupil: number;
@@ -2119,13 +2119,20 @@ export type HairAsset = {
 };
 
 /**
+ * A limb field: its channel's name, what drives it (`model.body.limb_field`); `places` (k,) u32 among the rows that
+ * lie on limbs, `values` (k, 3) f32: out (a ratio of the radius), round (radians), along (a ratio of the length).
+ */
+export type LimbFieldAsset = { name: string; driver: string; places: Uint8Array; values: Uint8Array };
+
+/**
  * What all bodies share (`model.body.figure_space`), little-endian; V rows of the head's skin, B of the body.
  * `bones`: their names, `parents` (bones,) i32 -1 for the first; `row_bones` (V + B, 8) u8, `row_weights` u16 of
  * 65535; `shares` (V + B,) u8, 255 is all of dual quaternions; `triangles` (t, 3) u32; `edge` (e,) u32 rows of the
  * head, the first `rim` of them the rim; `joined` (n,) u32 rows of the body, `join` (n, e) f32; `head_joint` (h,) u32,
  * `head_joint_offset` metres; `uvs` (k, 2) f32, `uv_rows` (t, 3) u32; `skirt` (s, 3) u32: its triangles, whose rows
  * are the last of the body; `bending` (c,) u32 rows with correctives, `bending_hinges` (c,) u8; `garments` (g, V + B,
- * 4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`).
+ * 4) f32, metres: cover, thick, trim and hidden of each garment, in the manifest's order (`model.body.garment`);
+ * `limb_rows` (l,) u32 rows that lie on limbs, `limbs` (l,) u8 which one, `limb_ways` (l,) f32 how far along it.
  */
 export type FigureAsset = {
   bones: string[];
@@ -2147,6 +2154,10 @@ export type FigureAsset = {
   bending: Uint8Array;
   bending_hinges: Uint8Array;
   garments: Uint8Array;
+  limb_rows: Uint8Array;
+  limbs: Uint8Array;
+  limb_ways: Uint8Array;
+  limb_fields: LimbFieldAsset[];
 };
 
 /**

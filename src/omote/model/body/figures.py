@@ -10,6 +10,8 @@ from omote.model.body.body import Body
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.garment import Garment
 from omote.model.body.hinges import BENDS
+from omote.model.body.limb_field import LimbField
+from omote.model.body.limbs import NO_LIMBS, LimbSpace
 from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import PoseRecipe
 from omote.model.known_names import KnownNames
@@ -31,11 +33,15 @@ class Figures:
         By name; a look that names none of them wears the first.
     recipes : mapping of PoseRecipe
         What those poses that people wrote were made from, by name.
+    limbs : LimbSpace
+        Where rows lie on unrolled limbs.
+    limb_fields : mapping of LimbField
+        By the name of the channel that plays each.
 
     Raises
     ------
     ValueError
-        Where a body or a pose does not fit the space, or there is none.
+        Where a body, a pose, a garment or a limb field does not fit the space, or there is no body.
     """
 
     space: FigureSpace
@@ -43,6 +49,8 @@ class Figures:
     poses: Mapping[str, Pose]
     garments: Mapping[str, Garment] = field(default_factory=dict)
     recipes: Mapping[str, PoseRecipe] = field(default_factory=lambda: MappingProxyType({}))
+    limbs: LimbSpace = NO_LIMBS
+    limb_fields: Mapping[str, LimbField] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not self.bodies:
@@ -65,6 +73,7 @@ class Figures:
                 f"figures have no pose {STAND!r} that turns nothing; expected it: every pose counts from it"
             )
         _refuse_strange_garments(self.garments, len(self.space.bones))
+        _refuse_strange_fields(self.limb_fields, len(self.limbs.rows))
         object.__setattr__(self, "garments", MappingProxyType(KnownNames("garment", self.garments)))
         object.__setattr__(self, "bodies", MappingProxyType(KnownNames("body", self.bodies)))
         object.__setattr__(self, "poses", MappingProxyType(KnownNames("pose", self.poses)))
@@ -78,3 +87,9 @@ def _refuse_strange_garments(garments: Mapping[str, Garment], rows: int) -> None
     for name, garment in garments.items():
         if len(garment.cover) != rows:
             raise ValueError(f"garment {name!r} covers {len(garment.cover)} rows; expected {rows}")
+
+
+def _refuse_strange_fields(fields: Mapping[str, LimbField], rows: int) -> None:
+    for name, limb_field in fields.items():
+        if len(limb_field.values) != rows:
+            raise ValueError(f"limb field {name!r} moves {len(limb_field.values)} rows; expected {rows}")

@@ -8,15 +8,19 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Floats, Points, Values
+from omote.model.body.hinges import hinge_bends
 from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import region_bones
 from omote.model.body.skeleton import Skeleton
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import evaluate
+from omote.perform.channels import channels_of
 from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
 from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
+from omote.perform.figures.limb_mix import limb_weights, wear_limb_fields
 from omote.perform.figures.pose_mix import MixedPose, mix_poses
 from omote.perform.frame import Frame, Head
+from omote.perform.mix import combine
 
 
 def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
@@ -61,7 +65,15 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     poses = ({STAND: 1.0}, {}) if on is None else (on.poses, on.regions)
     mixed = mix_poses(cast.poses, *poses, region_bones(space.skeleton), frame.idle)
     posed = turned_pose(space.skeleton, mixed, frame.head)
-    return skin_figure(space, resting, pose_figure(space, resting, posed))
+    bones = pose_figure(space, resting, posed)
+    bends = hinge_bends(space.skeleton, bones.joints)
+    worn = limb_weights(cast.figures.limb_fields, _called(cast, frame), bends, frame.idle[0])
+    return skin_figure(space, wear_limb_fields(cast.figures, resting, worn), bones)
+
+
+def _called(cast: Cast, frame: Frame) -> dict[str, float]:
+    """The weights of expressions and channels on air, added up; a region of the face has no limbs."""
+    return combine(((1.0, frame.expressions), (1.0, channels_of(cast.expressions, frame))))
 
 
 def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head) -> MixedPose:

@@ -22,6 +22,7 @@ const KINDS: Readonly<Record<ExpressionDocument["kind"], string>> = {
   makehuman: "MakeHuman",
   omote: "Omote",
   spring: "spring",
+  limb: "limb",
   own: "own",
 };
 

@@ -1,8 +1,20 @@
-/** The channels in the order of a face: regions from the brows down, left and right side by side. */
+/** The channels in the order of a face and its body: regions from the brows down, left and right side by side. */
 
 import type { ExpressionDocument } from "../../link/messages";
 
-export const REGIONS = ["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "tongue", "ears", "neck", "face"] as const;
+export const REGIONS = [
+  "brows",
+  "eyes",
+  "nose",
+  "cheeks",
+  "mouth",
+  "jaw",
+  "tongue",
+  "ears",
+  "neck",
+  "body",
+  "face",
+] as const;
 export type Region = (typeof REGIONS)[number];
 export type Side = "left" | "right";
 

@@ -16,6 +16,7 @@ function late(): { library: Library; come: () => void } {
   const library = {
     hasFace: (face: string) => face === "dog",
     hasExpression: (name: string) => name.startsWith("#"),
+    expressions: new Map([["#limb", { kind: "limb" }]]),
     positions: async () => new Float32Array(3),
     compound: (_: string, name: string) => (name === "#refused" ? Promise.reject(new Error("404")) : waiting),
   };
@@ -42,6 +43,16 @@ describe("what a stage holds", () => {
     const pose = { ...restPose("dog"), expressions: { neutral: 0.999, "#1": 0.001 } };
     residency.advance([pose], blender, 0, false);
     expect(arrival()).toBe("shown"); // next to nothing of it shows, so it needs no easing
+  });
+
+  it("asks for no compound of what plays limbs alone, which is shown at once", async () => {
+    const { library } = late();
+    const [residency, blender] = [new AssetResidency(library), layers()];
+    residency.want(["dog"], ["#limb"]);
+    await residency.complete();
+    const pose = { ...restPose("dog"), channels: { "#limb": 1 } };
+    residency.advance([pose], blender, 0, true);
+    expect(residency.shownInFull(pose, blender)).toBe(true);
   });
 
   it("adds up what differs in regions by their masks, and without masks shows the whole face's", async () => {

@@ -163,6 +163,10 @@ export class AssetResidency {
   }
 
   private fetchCompound(face: string, expression: string): void {
+    if (this.library.expressions.get(expression)?.kind === "limb") {
+      this.lost.add(keyOf(face, expression)); // it leaves heads alone
+      return;
+    }
     this.ask(keyOf(face, expression), async () => {
       const { scale, indices, deltas, allowed } = await this.library.compound(face, expression);
       if (allowed !== undefined) this.allowances.set(keyOf(face, expression), allowed);

@@ -1,13 +1,14 @@
 /** The figure of one character: the bodies that it wears, its bones in a frame, and what the GPU draws of them. */
 
 import type { Library } from "../../link/assets";
-import { BENDS, HINGES } from "../../link/constants";
+import { BENDS, HINGES, LIMBS } from "../../link/constants";
 import type { Body } from "../../link/figures";
 import type { FigureMix, Idle } from "../pose/pose";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
-import type { FigureJob, FigurePass, FigureTarget } from "./figure_pass";
+import { type FigureJob, type FigurePass, type FigureTarget, limbNumbers } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
-import { type PosedBones, poseFigure, type RestingBones, turnHead, writeCalls } from "./kinematics";
+import { hingeBends, type PosedBones, poseFigure, type RestingBones, turnHead, writeCalls } from "./kinematics";
+import { limbWeights, writeLimbAxes, writeLimbFields } from "./limb_mix";
 import { blankPose, type MixedPose, mixFigurePoses } from "./pose_mix";
 import {
   IDENTITY,
@@ -25,13 +26,15 @@ import {
 import type { SharedFigures } from "./shared_figures";
 import { placeOf, type Skeleton } from "./skeleton";
 
-/** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source. */
+/** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source, what they wear. */
 export interface FigureCall {
   readonly mix: FigureMix;
   readonly idle: Idle;
   readonly head: readonly [number, number, number];
   readonly faces: Readonly<Record<string, number>>;
   readonly sources: Readonly<Record<string, number>>;
+  /** How much of each expression and channel is on air: of those that play limb fields. */
+  readonly worn: Readonly<Record<string, number>>;
 }
 
 /** The head's turn as the stage has it: yaw, then pitch, then roll. */
@@ -48,6 +51,10 @@ export class Figure {
   private readonly bones: Float32Array;
   private readonly bodyEdge: Float32Array;
   private readonly calls = new Float32Array(BENDS.length * HINGES.length);
+  private readonly limbAxes = new Float32Array(9 * LIMBS.length);
+  private readonly limbFields: Float32Array;
+  private limbWorn: ReadonlyMap<string, number> = new Map();
+  private limbsFresh = false;
   private readonly place: Readonly<Record<"head" | "foot", number>>;
   private worn: Parts<string> = [];
   private resting: RestingBones | undefined;
@@ -67,6 +74,7 @@ export class Figure {
     const { skeleton, space } = shared;
     this.mixed = blankPose(skeleton);
     this.bones = new Float32Array(4 * BONE_TEXELS * skeleton.names.length);
+    this.limbFields = new Float32Array(limbNumbers(space));
     this.bodyEdge = new Float32Array(4 * space.edge.length);
     this.place = { head: placeOf(skeleton, "head"), foot: placeOf(skeleton, "foot.L") };
   }
@@ -76,6 +84,7 @@ export class Figure {
     this.pass = pass;
     this.target = pass.createTarget();
     this.changed = true;
+    this.limbsFresh = true;
     return this.target;
   }
 
@@ -108,7 +117,7 @@ export class Figure {
   }
 
   /** Finds where its bones are; nothing where none of its bodies or faces is here. */
-  move({ mix, idle, head, faces, sources }: FigureCall): void {
+  move({ mix, idle, head, faces, sources, worn: called }: FigureCall): void {
     const wanted = [...mixedBodies(mix.bodies, faces, [...this.shared.bodies.keys()])];
     const worn = shown(wanted, this.bodies);
     const carried = shown(Object.entries(sources), this.necks);
@@ -117,7 +126,8 @@ export class Figure {
     if (restKey !== this.restKey) this.rest(worn, carried);
     if (this.library.poses !== this.poses) this.poseKey = ""; // a pose may have come
     this.poses = this.library.poses;
-    const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head]);
+    const played = [...this.shared.space.limbFields.keys()].map((name) => called[name] ?? 0);
+    const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head, played]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;
     [this.restKey, this.poseKey] = [restKey, poseKey];
     const { skeleton } = this.shared;
@@ -126,7 +136,9 @@ export class Figure {
     const resting = this.resting as RestingBones;
     this.posed = poseFigure(skeleton, resting, this.mixed);
     writeBones(resting, this.posed, this.bones);
-    writeCalls(skeleton, this.posed.joints, this.calls);
+    const bends = hingeBends(skeleton, this.posed.joints);
+    writeCalls(bends, this.calls);
+    this.wearLimbs(limbWeights(this.shared.space.limbFields, called, bends, idle[0]));
     this.changed = true;
   }
 
@@ -137,7 +149,10 @@ export class Figure {
     const bodies = this.worn.map(([name, weight]) => {
       return [this.pass.layerOf(name, this.bodies.get(name) as Body), weight] as const;
     });
-    return { bones: this.bones, bodies, bodyEdge: this.bodyEdge, calls: this.calls, head, target: this.target };
+    const { bones, bodyEdge, calls, target, limbFields, limbAxes, limbsFresh } = this;
+    const limbs = this.limbWorn.size === 0 ? undefined : { fields: limbFields, fresh: limbsFresh, axes: limbAxes };
+    this.limbsFresh = false;
+    return { bones, bodies, bodyEdge, calls, limbs, head, target };
   }
 
   /** How the head is turned, about which joint as modelled, and where that is. */
@@ -206,6 +221,14 @@ export class Figure {
     this.pass.drop(this.target);
   }
 
+  /** Sums the limb fields that it wears from now on, where they are others. */
+  private wearLimbs(worn: ReadonlyMap<string, number>): void {
+    if (JSON.stringify([...worn]) === JSON.stringify([...this.limbWorn])) return;
+    this.limbWorn = worn;
+    this.limbsFresh = worn.size > 0;
+    writeLimbFields(this.shared.space.limbFields, worn, this.limbFields);
+  }
+
   private rest(worn: Parts<string>, carried: Parts<string>): void {
     const { space, skeleton } = this.shared;
     const bodies = worn.map(([name, weight]) => [this.bodies.get(name) as Body, weight] as const);
@@ -214,6 +237,7 @@ export class Figure {
     this.resting = restingBones(space, skeleton, bodies, necks);
     for (let place = 0; place < space.edge.length; place++)
       this.bodyEdge.set(bodySum(bodies, "edge", place), 4 * place);
+    writeLimbAxes(skeleton, this.resting.joints, this.limbAxes);
     this.poseKey = "";
   }
 

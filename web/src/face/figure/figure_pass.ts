@@ -17,6 +17,7 @@ export interface FigureTarget {
   readonly normalFrame: WebGLFramebuffer;
   readonly bones: WebGLTexture;
   readonly bodyEdge: WebGLTexture;
+  readonly limbFields: WebGLTexture;
 }
 
 /** What one figure is: its bones (`BONE_TEXELS` a bone), bodies by layer and weight, and the mix of their edges (e, 4). */
@@ -26,9 +27,18 @@ export interface FigureJob {
   readonly bodyEdge: Float32Array;
   /** How much of each corrective each hinge calls (hinges, bends). */
   readonly calls: Float32Array;
+  /** The sum of its limb fields (4 numbers a row on limbs), whether it is new, and the axes of its limbs; undefined where none weighs anything. */
+  readonly limbs: LimbJob | undefined;
   /** The head as it is blended. */
   readonly head: WebGLTexture;
   readonly target: FigureTarget;
+}
+
+/** What moves the limbs of a figure (`limb_mix`). */
+export interface LimbJob {
+  readonly fields: Float32Array;
+  readonly fresh: boolean;
+  readonly axes: Float32Array;
 }
 
 const CORNER_WIDTH = 512;
@@ -39,7 +49,7 @@ export class FigurePass {
   private readonly height: number;
   private readonly rows: number;
   private readonly programs: Record<"edge" | "figure" | "normal", WebGLProgram>;
-  private readonly shared: Record<"rows" | "join" | "edgeRows" | "ranges" | "corners", WebGLTexture>;
+  private readonly shared: Record<"rows" | "join" | "edgeRows" | "ranges" | "corners" | "limbPlaces", WebGLTexture>;
   private readonly off: WebGLTexture;
   private readonly offFrame: WebGLFramebuffer;
   private readonly bodies: WebGLTexture;
@@ -77,6 +87,7 @@ export class FigurePass {
       edgeRows: dataTexture(gl, edges, edge.length),
       ranges: dataTexture(gl, fanSpans(around), ROW_WIDTH),
       corners: dataTexture(gl, around.pairs, CORNER_WIDTH),
+      limbPlaces: floatTexture(gl, limbPlaces(space), 2, ROW_WIDTH),
     };
     [this.off, this.offFrame] = targetTexture(gl, edge.length + 1, 1);
     this.bodies = gl.createTexture();
@@ -94,12 +105,13 @@ export class FigurePass {
     const [normals, normalFrame] = targetTexture(gl, ROW_WIDTH, height);
     const bones = floatTexture(gl, new Float32Array(), 4, BONE_TEXELS * space.bones.length);
     const bodyEdge = floatTexture(gl, new Float32Array(), 4, space.edge.length);
-    return { positions, normals, positionFrame, normalFrame, bones, bodyEdge };
+    const limbFields = floatTexture(gl, new Float32Array(limbNumbers(space)), 4, ROW_WIDTH);
+    return { positions, normals, positionFrame, normalFrame, bones, bodyEdge, limbFields };
   }
 
   /** Frees the target of a figure that is gone. */
-  drop({ positions, normals, positionFrame, normalFrame, bones, bodyEdge }: FigureTarget): void {
-    for (const texture of [positions, normals, bones, bodyEdge]) this.gl.deleteTexture(texture);
+  drop({ positions, normals, positionFrame, normalFrame, bones, bodyEdge, limbFields }: FigureTarget): void {
+    for (const texture of [positions, normals, bones, bodyEdge, limbFields]) this.gl.deleteTexture(texture);
     for (const frame of [positionFrame, normalFrame]) this.gl.deleteFramebuffer(frame);
   }
 
@@ -155,7 +167,7 @@ export class FigurePass {
     return Math.ceil((bodyRows + BENDS.length * bending.length) / ROW_WIDTH);
   }
 
-  private drawFigure({ bones, bodies, bodyEdge, calls, head, target }: FigureJob): void {
+  private drawFigure({ bones, bodies, bodyEdge, calls, limbs, head, target }: FigureJob): void {
     const { gl, space, programs, shared, off, height } = this;
     const edges = space.edge.length;
     gl.activeTexture(gl.TEXTURE0);
@@ -163,7 +175,12 @@ export class FigurePass {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, BONE_TEXELS * space.bones.length, 1, gl.RGBA, gl.FLOAT, bones);
     gl.bindTexture(gl.TEXTURE_2D, target.bodyEdge);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, edges, 1, gl.RGBA, gl.FLOAT, bodyEdge);
-    const { edgeRows, rows, join, ranges, corners } = shared;
+    if (limbs?.fresh) {
+      const lines = limbs.fields.length / (4 * ROW_WIDTH);
+      gl.bindTexture(gl.TEXTURE_2D, target.limbFields);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW_WIDTH, lines, gl.RGBA, gl.FLOAT, limbs.fields);
+    }
+    const { edgeRows, rows, join, ranges, corners, limbPlaces } = shared;
     this.pass(programs.edge, this.offFrame, [edges + 1, 1], { head, edgeRows, bodyEdge: target.bodyEdge });
     gl.useProgram(programs.figure);
     bodies.slice(0, MOST_BODIES).forEach((pair, place) => {
@@ -172,11 +189,15 @@ export class FigurePass {
     gl.uniform2fv(uniformAt(gl, programs.figure, "mixed"), this.mixed);
     gl.uniform1i(uniformAt(gl, programs.figure, "count"), Math.min(bodies.length, MOST_BODIES));
     gl.uniform3fv(uniformAt(gl, programs.figure, "calls"), calls);
-    gl.activeTexture(gl.TEXTURE5);
+    gl.uniform1i(uniformAt(gl, programs.figure, "limbsMove"), limbs === undefined ? 0 : 1);
+    if (limbs !== undefined) gl.uniform3fv(uniformAt(gl, programs.figure, "limbAxes"), limbs.axes);
+    gl.activeTexture(gl.TEXTURE7);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
-    gl.uniform1i(uniformAt(gl, programs.figure, "bodies"), 5);
+    gl.uniform1i(uniformAt(gl, programs.figure, "bodies"), 7);
     const whole = [ROW_WIDTH, height] as const;
-    this.pass(programs.figure, target.positionFrame, whole, { head, rows, join, off, bones: target.bones });
+    const { bones: turned, limbFields } = target;
+    const read = { head, rows, join, off, bones: turned, limbPlaces, limbFields };
+    this.pass(programs.figure, target.positionFrame, whole, read);
     this.pass(programs.normal, target.normalFrame, whole, { positions: target.positions, ranges, corners });
   }
 
@@ -200,7 +221,7 @@ export class FigurePass {
 }
 
 /** Eight numbers a row: its bones (bytes), its weights (pairs), its share with its place among those that
- * bend, from 1, and their hinge (from bits 0, 8, 24), and its place among the joined, from 1. */
+ * bend, from 1, and their hinge (from bits 0, 8, 24), and its places among the joined and on limbs, from 1 (bits 0, 16). */
 function packedRows({
   rowBones,
   rowWeights,
@@ -209,6 +230,7 @@ function packedRows({
   headRows,
   bending,
   bendingHinges,
+  limbRows,
 }: FigureSpace): Uint32Array {
   const rows = shares.length;
   const packed = new Uint32Array(8 * rows);
@@ -229,5 +251,20 @@ function packedRows({
   joined.forEach((row, place) => {
     packed[8 * (headRows + row) + 7] = place + 1;
   });
+  limbRows.forEach((row, place) => {
+    packed[8 * row + 7] = ((packed[8 * row + 7] as number) | ((place + 1) << 16)) >>> 0;
+  });
   return packed;
+}
+
+/** Numbers in the sum of limb fields: whole lines of its texture. */
+export const limbNumbers = ({ limbRows }: FigureSpace): number =>
+  4 * ROW_WIDTH * Math.max(1, Math.ceil(limbRows.length / ROW_WIDTH));
+
+/** Of the rows on limbs: how far along, and which limb. */
+function limbPlaces({ limbs, limbWays }: FigureSpace): Float32Array {
+  return Float32Array.from(
+    { length: 2 * limbs.length },
+    (_, at) => (at % 2 === 0 ? limbWays : limbs)[at >> 1] as number,
+  );
 }

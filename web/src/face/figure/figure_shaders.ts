@@ -1,6 +1,6 @@
 /** Shaders of the passes that hang a body below a head and skin both. */
 
-import { BENDS, HINGES } from "../../link/constants";
+import { BENDS, HINGES, LIMBS } from "../../link/constants";
 import { PASS_HEAD, ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /** Bodies that are mixed at most. */
@@ -49,7 +49,7 @@ const CALLS = `vec${BENDS.length}`;
 
 /**
  * The rows of a figure: those of the head as they are blended, those of the body summed over bodies and joined to the
- * head's edge; those of bent elbows and knees with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
+ * head's edge; those of limbs moved as fields have it; those of bent elbows and knees with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
  */
 export const figureFragment = ({ head, body, edge, bending }: FigureRows): string => `${PASS_HEAD}
 uniform sampler2D head;
@@ -60,6 +60,10 @@ uniform sampler2D off;
 uniform sampler2D bones;
 uniform vec2 mixed[${MOST_BODIES}]; // layer, weight
 uniform int count;
+uniform sampler2D limbPlaces; // of rows on limbs: how far along, which limb
+uniform sampler2D limbFields; // of these: out, round, along
+uniform vec3 limbAxes[${3 * LIMBS.length}]; // of each limb: where it begins, from there to its end, about what angles grow
+uniform bool limbsMove;
 uniform ${CALLS} calls[${HINGES.length}]; // of correctives, by hinge
 out vec4 position;
 ${ROW_TEXEL}
@@ -72,6 +76,17 @@ vec3 bodyAt(int row, int joined) {
     for (int i = 0; i < ${edge}; i++)
       sum += texelFetch(join, ivec2(i, joined), 0).x * texelFetch(off, ivec2(i, 0), 0).xyz;
   return sum;
+}
+
+vec3 limbMove(int place, vec3 here) {
+  ivec2 at = texelOf(place);
+  vec3 field = texelFetch(limbFields, at, 0).xyz;
+  if (field == vec3(0.0)) return field;
+  vec2 lies = texelFetch(limbPlaces, at, 0).xy;
+  int limb = 3 * int(lies.y + 0.5);
+  vec3 way = limbAxes[limb + 1];
+  vec3 off = here - limbAxes[limb] - lies.x * way;
+  return field.x * off + field.y * cross(limbAxes[limb + 2], off) + field.z * way;
 }
 
 vec3 correctiveAt(int place, ${CALLS} called) {
@@ -92,7 +107,9 @@ void main() {
   if (row >= ${head + body}) return;
   uvec4 first = texelFetch(rows, ivec2(2 * at.x, at.y), 0);
   uvec4 second = texelFetch(rows, ivec2(2 * at.x + 1, at.y), 0);
-  vec3 here = row < ${head} ? texelFetch(head, at, 0).xyz : bodyAt(row - ${head}, int(second.w) - 1);
+  vec3 here = row < ${head} ? texelFetch(head, at, 0).xyz : bodyAt(row - ${head}, int(second.w & 65535u) - 1);
+  int limb = int(second.w >> 16) - 1;
+  if (limbsMove && limb >= 0) here += limbMove(limb, here);
   int bent = int((second.z >> 8) & 65535u) - 1;
   if (bent >= 0) here += correctiveAt(bent, calls[int(second.z >> 24)]);
   uvec4 named = uvec4(first.xy, 0u, 0u);

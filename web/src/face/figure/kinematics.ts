@@ -98,13 +98,18 @@ export function placeJoints(
 
 const KNOTS = [0, ...BENDS];
 
-/** Writes how much of each corrective hinges call (hinges, bends), linear between bends; `joints`: where bones begin. */
-export function writeCalls(skeleton: Skeleton, joints: readonly Vector[], into: Float32Array): void {
-  into.fill(0);
-  HINGES.forEach((names, hinge) => {
+/** How far each hinge is bent, degrees from the straight limb; `joints`: where bones begin. */
+export const hingeBends = (skeleton: Skeleton, joints: readonly Vector[]): readonly number[] =>
+  HINGES.map((names) => {
     const [begin, middle, end] = names.map((name) => joints[placeOf(skeleton, name)]) as [Vector, Vector, Vector];
     const [upper, lower] = [minus(middle, begin), minus(end, middle)];
-    const degrees = (Math.atan2(length(cross(upper, lower)), dot(upper, lower)) * 180) / Math.PI;
+    return (Math.atan2(length(cross(upper, lower)), dot(upper, lower)) * 180) / Math.PI;
+  });
+
+/** Writes how much of each corrective hinges call that are bent so far (hinges, bends), linear between bends. */
+export function writeCalls(bends: readonly number[], into: Float32Array): void {
+  into.fill(0);
+  bends.forEach((degrees, hinge) => {
     const next = KNOTS.findIndex((knot) => degrees < knot);
     const first = hinge * BENDS.length;
     if (next < 0) {
