@@ -75,7 +75,8 @@ def unsure(cast: Cast, frame: Frame, apart: Floats) -> Floats:
     moves = (apart[triangles] * np.linalg.norm(sides, axis=2)).sum(axis=1)
     doubled = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
     totals = [np.bincount(triangles.ravel(), np.repeat(values, 3), len(rest)) for values in (moves, doubled)]
-    return np.sqrt(2.0) * totals[0] / np.maximum(totals[1], 1e-20)
+    found: Floats = np.sqrt(2.0) * totals[0] / np.maximum(totals[1], 1e-20)
+    return found
 
 
 @pytest.mark.parametrize("face", FACES)
