@@ -24,8 +24,8 @@ pytestmark = pytest.mark.long
 
 Floats = NDArray[np.float64]
 FACES = ("generic", "kaori", "man", "old", "child", "baby", "heavy", "goblin", "dog", "cat")
-MUZZLES = {"dog": 1, "cat": 1}
-"""Vertices that may be off by more: of a nostril, where the tolerance of correctives is much of a sliver's side."""
+PLACED = 5e-6
+"""How far from the evaluator's the page's positions may lie, metres: correctives end on rounding of their own."""
 EMOTIONS = ("angry", "sad", "cry", "joy", "disgust", "surprise", "fear")
 
 
@@ -62,6 +62,23 @@ def expected(cast: Cast, frame: Frame, worn: Floats) -> Floats:
     return vertex_strain(rest, worn, triangles)
 
 
+def unsure(cast: Cast, frame: Frame, apart: Floats) -> Floats:
+    """By how much strains can differ where positions do (V,): much at a nostril, whose triangles are 45 um high.
+
+    A corner's move, apart (V,) metres, turns the gradient by its share of the opposite side over twice the area; the
+    symmetric root of a matrix changes by at most the square root of 2 of what it does (Araki, Yamagami 1981).
+    """
+    assert cast.folding is not None
+    rest = omote.evaluate(cast, Frame(frame.faces, {"neutral": 1.0})).astype(np.float64)
+    triangles = fans_of(cast.space.triangles, cast.folding > 0)
+    sides = np.stack([rest[triangles[:, k - 1]] - rest[triangles[:, k - 2]] for k in range(3)], axis=1)
+    moves = (apart[triangles] * np.linalg.norm(sides, axis=2)).sum(axis=1)
+    doubled = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    totals = [np.bincount(triangles.ravel(), np.repeat(values, 3), len(rest)) for values in (moves, doubled)]
+    found: Floats = np.sqrt(2.0) * totals[0] / np.maximum(totals[1], 1e-20)
+    return found
+
+
 @pytest.mark.parametrize("face", FACES)
 def test_strain_is_that_of_the_evaluator(stage: Callable[[str], Page], cast: Cast, face: str) -> None:
     page = stage("medium")
@@ -72,8 +89,9 @@ def test_strain_is_that_of_the_evaluator(stage: Callable[[str], Page], cast: Cas
         drawn = floats(page, "window.omoteStage.readPositions()").reshape(-1, 3)[: cast.space.vertex_count]
         assert found == pytest.approx(expected(cast, frame, drawn), abs=0.0005), emotion
         own = omote.evaluate(cast, frame).astype(np.float64)
-        off = np.abs(found - expected(cast, frame, own)).max(axis=1) > 0.01
-        assert off.sum() <= MUZZLES.get(face, 0), emotion
+        assert np.abs(drawn - own).max() < PLACED, emotion
+        off = np.abs(found - expected(cast, frame, own)).max(axis=1)
+        assert (off < 0.0005 + unsure(cast, frame, np.linalg.norm(drawn - own, axis=1))).all(), emotion
 
 
 def test_a_mix_of_faces_is_rest_and_blinks_and_looks_press_nothing(stage: Callable[[str], Page], cast: Cast) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 import omote
 from omote.builtin.binding import EYES
+from omote.geometry import mesh
 from omote.model.sculpting.sculpt import Sculpt, sculpted, warp
 from omote.model.space.eye_socket import ball_heights
 from omote.model.space.face import Face
@@ -111,6 +112,20 @@ def test_a_dogs_chin_lies_under_its_lip() -> None:
     )
     ahead = CAST.faces["dog"].positions[:, 2]
     assert 0.0 < ahead[lip] - ahead[chin] < 0.014
+
+
+def test_no_edge_of_an_animals_crown_is_a_facet() -> None:
+    """The cat's skull had a dent between crown and ear: chords lay 6 mm off what the normals at their ends say."""
+    triangles = CAST.space.sheet_triangles
+    crown = CAST.space.points[triangles][:, :, 1].min(axis=1) > 0.06
+    edges = np.concatenate([triangles[crown][:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    for name in ("dog", "cat"):
+        positions = CAST.faces[name].positions.astype(np.float64)
+        normals = mesh.normals(positions, CAST.space.skin_triangles)
+        start, end = normals[edges[:, 0]], normals[edges[:, 1]]
+        turns = np.arccos(np.clip((start * end).sum(axis=1), -1.0, 1.0))
+        lengths = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
+        assert (lengths * turns / 8.0).max() < 0.0025, name
 
 
 def test_eyes_of_dog_and_cat_are_larger_and_rounder_than_peoples() -> None:
