@@ -1787,8 +1787,8 @@ export type TrackedState = { shares: number[]; pose: Uint8Array };
 /**
  * What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
  * of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
- * `fader`: where the T-bar of the poses stands, 0..1. `tracked`: a performer's body, which shows in place of the mix; it
- * is left out while there is none.
+ * `fader`: where the T-bar of the poses stands, 0..1. `tracked`: a performer's body, which shows in place of the mix;
+ * it is left out while there is none.
  */
 export type FigureState = {
   poses: Record<string, number>;
@@ -1798,7 +1798,7 @@ export type FigureState = {
   region_calls: Partial<Record<"head" | "trunk" | "arm_left" | "arm_right" | "stance", CallState>>;
   body_call: CallState | null;
   fader: number;
-  tracked: TrackedState | null;
+  tracked?: TrackedState | null;
 };
 
 /**

@@ -36,6 +36,7 @@ const SOURCE: SourceState = {
   performer: "phone",
   rate: 30,
   found: true,
+  body: false,
   calibrated: false,
   ranging: false,
   mirror: false,
