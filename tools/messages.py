@@ -49,7 +49,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.figures.limb_mix import TENSED
 from omote.perform.figures.pose_mix import BREATH_IN, CHEST, WEIGHT
-from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, ROUTE_PARTS
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
@@ -105,13 +105,15 @@ def value_type(value: type[Any]) -> str:
 def interface(struct: type[msgspec.Struct], sent: bool = False) -> str:
     """One exported type, in one line where it fits, with the docstring as its comment.
 
-    `sent`: a page sends it, so that a field with a default may be left out: the show fills it in as it reads.
+    `sent`: a page sends it, so that a field with a default may be left out: the show fills it in as it reads. So it may
+    where the show leaves out what is as at first.
     """
     config = struct.__struct_config__
     hints = typing.get_type_hints(struct)
+    left_out = sent or config.omit_defaults
     fields = [f"{config.tag_field}: {_quote(config.tag)}"] if config.tag is not None else []
     fields += [
-        f"{field.name}{'' if field.required or not sent else '?'}: {type_script(hints[field.name])}"
+        f"{field.name}{'' if field.required or not left_out else '?'}: {type_script(hints[field.name])}"
         for field in msgspec.structs.fields(struct)
     ]
     lines = inspect.cleandoc(struct.__doc__ or "").replace("\n\n", "\n").splitlines()
@@ -198,6 +200,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "PLAY_REGIONS": ("The regions of a face in which an expression can be called alone.", PLAY_REGIONS),
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
+    "ROUTE_PARTS": ("What a source can play.", ROUTE_PARTS),
     "SPRINGS": ("The springs of a character.", SPRING_NAMES),
     "SKIN_FADERS": ("The faders of a character's skin.", SKIN_FADERS),
     "SKIN_LIMIT": ("How far a fader of the skin goes.", SKIN_LIMIT),

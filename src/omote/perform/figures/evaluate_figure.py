@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Floats, Points, Values
 from omote.model.body.hinges import hinge_bends
 from omote.model.body.pose import STAND
-from omote.model.body.pose_regions import region_bones
+from omote.model.body.pose_regions import POSE_REGIONS, region_bones
 from omote.model.body.skeleton import Skeleton
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import evaluate
@@ -18,8 +18,10 @@ from omote.perform.channels import channels_of
 from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
 from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
 from omote.perform.figures.limb_mix import limb_weights, wear_limb_fields
+from omote.perform.figures.packed_pose import unpack_pose
 from omote.perform.figures.pose_mix import MixedPose, mix_poses
-from omote.perform.frame import Frame, Head
+from omote.perform.figures.tracked_body import with_tracked
+from omote.perform.frame import Frame, Head, TrackedPose
 from omote.perform.mix import combine
 
 
@@ -64,7 +66,7 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     resting = resting_figure(cast.figures, bodies, head, _mixed_faces(cast, frame))
     poses = ({STAND: 1.0}, {}) if on is None else (on.poses, on.regions)
     mixed = mix_poses(cast.poses, *poses, region_bones(space.skeleton), frame.idle)
-    posed = turned_pose(space.skeleton, mixed, frame.head)
+    posed = turned_pose(space.skeleton, mixed, frame.head, None if on is None else on.tracked)
     bones = pose_figure(space, resting, posed)
     bends = hinge_bends(space.skeleton, bones.joints)
     worn = limb_weights(cast.figures.limb_fields, _called(cast, frame), bends, frame.idle[0])
@@ -76,10 +78,18 @@ def _called(cast: Cast, frame: Frame) -> dict[str, float]:
     return combine(((1.0, frame.expressions), (1.0, channels_of(cast.expressions, frame))))
 
 
-def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head) -> MixedPose:
-    """A pose with the head's own direction, which neck and spine share. skeleton: of the figure; pose: of
-    `mix_poses`; head: its direction."""
-    return replace(pose, turns=turn_head(skeleton, pose.turns, turn_of(head)))
+def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head, tracked: TrackedPose | None = None) -> MixedPose:
+    """A pose with a tracked body in its place, and with the head's own direction, which neck and spine share.
+
+    skeleton: of the figure; pose: of `mix_poses`; head: its direction; tracked: as of `FigureFrame`.
+    """
+    trunk = 0.0
+    if tracked is not None:
+        bones = region_bones(skeleton)
+        numbers = unpack_pose(tracked.pose, len(skeleton.names))
+        pose = with_tracked(pose, tracked.shares, numbers, tuple(bones[region] for region in POSE_REGIONS))
+        trunk = tracked.shares[POSE_REGIONS.index("trunk")]
+    return replace(pose, turns=turn_head(skeleton, pose.turns, turn_of(head), trunk))
 
 
 def turn_of(head: Head) -> Values:

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { LAYER_PARTS } from "../../link/constants";
+import { LAYER_PARTS, ROUTE_PARTS } from "../../link/constants";
 import type { CharacterState, FromClient, LayerState, SourceState, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
 import { LayerCommands, withCharacter, withPart } from "./layer_commands";
@@ -36,6 +36,7 @@ const SOURCE: SourceState = {
   performer: "phone",
   rate: 30,
   found: true,
+  body: false,
   calibrated: false,
   ranging: false,
   mirror: false,
@@ -171,10 +172,10 @@ describe("a source", () => {
 });
 
 it("a press on a part takes it alone of all, else into a route or out of it; where none is left all are in it", () => {
-  expect(withPart([...LAYER_PARTS], "mouth")).toEqual(["mouth"]);
+  expect(withPart([...ROUTE_PARTS], "mouth")).toEqual(["mouth"]);
   expect(withPart(["mouth"], "brows")).toEqual(["brows", "mouth"]);
   expect(withPart(["mouth", "brows"], "mouth")).toEqual(["brows"]);
-  expect(withPart(["mouth"], "mouth")).toEqual([...LAYER_PARTS]);
+  expect(withPart(["mouth"], "mouth")).toEqual([...ROUTE_PARTS]);
 });
 
 it("a press on a character takes it into a route, or out of it, also of all", () => {

@@ -1,9 +1,9 @@
 /** What an operator does to layers and to what feeds them, each to be taken back where it can be. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { LAYER_PARTS, ROUTE_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
-import { firstInfluence, type LayerName, type LayerPart, layerOf } from "../store/layer_state";
+import { firstInfluence, type LayerName, layerOf } from "../store/layer_state";
 import { sourceLabel } from "../store/source_label";
 import type { Change } from "../store/undo_history";
 
@@ -15,6 +15,8 @@ export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain"
 /** Whom a source drives, and on which layer. */
 export type Route = Pick<SourceState, "characters" | "layer" | "regions">;
 
+type RoutePart = SourceState["regions"][number];
+
 /** The characters of a route after a press on one: in it or not any more. */
 export const withCharacter = (characters: readonly string[], pressed: string, all: readonly string[]): string[] => {
   const now = characters.includes("*") ? all : characters;
@@ -22,10 +24,10 @@ export const withCharacter = (characters: readonly string[], pressed: string, al
 };
 
 /** The parts of a route after a press on one: of all this one alone, else in it or not any more; all where none is left. */
-export const withPart = (parts: SourceState["regions"], pressed: LayerPart): SourceState["regions"] => {
-  const every = LAYER_PARTS.every((part) => parts.includes(part));
-  const left = every ? [pressed] : LAYER_PARTS.filter((part) => parts.includes(part) !== (part === pressed));
-  return left.length === 0 ? [...LAYER_PARTS] : left;
+export const withPart = (parts: SourceState["regions"], pressed: RoutePart): SourceState["regions"] => {
+  const every = ROUTE_PARTS.every((part) => parts.includes(part));
+  const left = every ? [pressed] : ROUTE_PARTS.filter((part) => parts.includes(part) !== (part === pressed));
+  return left.length === 0 ? [...ROUTE_PARTS] : left;
 };
 
 export class LayerCommands {
@@ -71,7 +73,7 @@ export class LayerCommands {
       change.layer !== undefined
         ? `drives ${change.layer} now`
         : change.regions !== undefined
-          ? `plays ${change.regions.length === LAYER_PARTS.length ? "all parts" : change.regions.join(", ")} now`
+          ? `plays ${change.regions.length === ROUTE_PARTS.length ? "all parts" : change.regions.join(", ")} now`
           : "drives others now";
     this.store.act(`${sourceLabel(source.name)} ${does}.`, {
       what: `route ${sourceLabel(source.name)}`,

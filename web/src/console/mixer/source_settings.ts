@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { ALL, DRIVEN_LAYERS, LAYER_PARTS } from "../../link/constants";
+import { ALL, DRIVEN_LAYERS, ROUTE_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { base, ellipsis, flow } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
@@ -165,11 +165,11 @@ export class SourceSettings extends ConsoleElement {
   }
 
   #plays(): string {
-    const { characters, layer, rate } = this.source;
+    const { characters, layer, rate, body } = this.source;
     const labels = characters.map((name) =>
       name === ALL ? "all" : (this.store.state?.characters[name]?.label ?? name),
     );
-    return `${labels.join(", ")} · ${layer} · ${rate}/s`;
+    return `${labels.join(", ")} · ${layer}${body ? " and body" : ""} · ${rate}/s`;
   }
 
   readonly #fold = (): void => {
@@ -192,9 +192,9 @@ export class SourceSettings extends ConsoleElement {
   #parts() {
     const { source } = this;
     const idle = source.characters.length === 0;
-    return html`<div class="parts" role="group" aria-label="Parts that ${source.name} plays"><button class="all" aria-pressed=${!idle && LAYER_PARTS.every((part) => source.regions.includes(part))}
-        ?disabled=${idle} title="All parts" @click=${() => this.#commands.route(source, { regions: [...LAYER_PARTS] })}>all</button>
-      ${LAYER_PARTS.map(
+    return html`<div class="parts" role="group" aria-label="Parts that ${source.name} plays"><button class="all" aria-pressed=${!idle && ROUTE_PARTS.every((part) => source.regions.includes(part))}
+        ?disabled=${idle} title="All parts" @click=${() => this.#commands.route(source, { regions: [...ROUTE_PARTS] })}>all</button>
+      ${ROUTE_PARTS.map(
         (
           part,
         ) => html`<button data-part=${part} ?disabled=${idle} aria-pressed=${!idle && source.regions.includes(part)}

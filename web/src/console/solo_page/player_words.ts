@@ -1,6 +1,6 @@
 /** Which sources play a character, in a few words. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { ROUTE_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { sourceLabel } from "../store/source_label";
 
@@ -10,7 +10,7 @@ export function playersWords(sources: readonly SourceState[], character: string)
   const plays = ({ name, regions, rate, found }: SourceState): string => {
     const label = sourceLabel(name, names);
     if (rate === 0 || !found) return `${label}: lost`;
-    const all = regions.length === 0 || regions.length === LAYER_PARTS.length;
+    const all = regions.length === 0 || regions.length === ROUTE_PARTS.length;
     return `${label}: ${all ? "all parts" : regions.join(", ")}`;
   };
   return sources

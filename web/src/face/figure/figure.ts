@@ -4,6 +4,7 @@ import type { Library } from "../../link/assets";
 import { BENDS, HINGES, LIMBS } from "../../link/constants";
 import type { Body } from "../../link/figures";
 import type { FigureMix, Idle } from "../pose/pose";
+import { trackedKey } from "../pose/tracked_mix";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
 import { type FigureJob, type FigurePass, type FigureTarget, limbNumbers } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
@@ -25,6 +26,7 @@ import {
 } from "./rotations";
 import type { SharedFigures } from "./shared_figures";
 import { placeOf, type Skeleton } from "./skeleton";
+import { putTracked, trunkShare } from "./tracked_pose";
 
 /** What a frame asks of a figure: its mix, the turn of the head (yaw, pitch, roll), the faces on air by name and by source, what they wear. */
 export interface FigureCall {
@@ -126,13 +128,15 @@ export class Figure {
     if (restKey !== this.restKey) this.rest(worn, carried);
     if (this.library.poses !== this.poses) this.poseKey = ""; // a pose may have come
     this.poses = this.library.poses;
+    const tracked = mix.tracked ?? undefined;
     const played = [...this.shared.space.limbFields.keys()].map((name) => called[name] ?? 0);
-    const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head, played]);
+    const poseKey = JSON.stringify([mix.poses, mix.regions, idle, head, played, trackedKey(tracked)]);
     if (restKey === this.restKey && poseKey === this.poseKey) return;
     [this.restKey, this.poseKey] = [restKey, poseKey];
     const { skeleton } = this.shared;
     mixFigurePoses(this.library.poses, mix, idle, skeleton, this.mixed);
-    turnHead(skeleton, this.mixed, vectorOf(turnOf(head)));
+    if (tracked !== undefined) putTracked(tracked, skeleton, this.mixed);
+    turnHead(skeleton, this.mixed, vectorOf(turnOf(head)), trunkShare(tracked));
     const resting = this.resting as RestingBones;
     this.posed = poseFigure(skeleton, resting, this.mixed);
     writeBones(resting, this.posed, this.bones);

@@ -37,13 +37,20 @@ export interface PosedBones {
   readonly frames: readonly Rotation[];
 }
 
-/** Adds the head's own turn, a rotation vector, which neck and spine share. */
-export function turnHead(skeleton: Skeleton, pose: MixedPose, head: Vector): void {
-  for (const [bone, share] of Object.entries(HEAD_SHARES))
+/**
+ * Adds the head's own turn, a rotation vector, which neck and spine share; `tracked`: how much of a performer's trunk
+ * shows, which has turned by itself, so that head and neck take so much of the spine's part.
+ */
+export function turnHead(skeleton: Skeleton, pose: MixedPose, head: Vector, tracked = 0): void {
+  const ofSpine = (bone: string): boolean => bone.startsWith("spine");
+  const neck = Object.entries(HEAD_SHARES).reduce((sum, [bone, share]) => sum + (ofSpine(bone) ? 0 : share), 0);
+  for (const [bone, share] of Object.entries(HEAD_SHARES)) {
+    const whole = ofSpine(bone) ? 0 : share / neck;
     for (const axis of [0, 1, 2] as const) {
       const at = 3 * placeOf(skeleton, bone) + axis;
-      pose.turns[at] = (pose.turns[at] as number) + share * head[axis];
+      pose.turns[at] = (pose.turns[at] as number) + (share + tracked * (whole - share)) * head[axis];
     }
+  }
 }
 
 const vectorAt = (values: Float64Array, place: number): Vector => [

@@ -1,10 +1,13 @@
 /** A pose: what a stage draws of a state. */
 
 import { FACES_OWN, FIRST_LIGHT } from "../../link/constants";
-import type { CharacterState, FigureState, State } from "../../link/messages";
+import type { CharacterState, FigureState, State, TrackedState } from "../../link/messages";
+import { mixTracked, trackedKey } from "./tracked_mix";
 
-/** What a figure does and wears: mixes of poses, of regions that go their own way, and of bodies. */
-export type FigureMix = Pick<FigureState, "poses" | "regions" | "bodies">;
+/** What a figure does and wears: mixes of poses, of regions that go their own way, and of bodies; a performer's body that shows in place of the poses. */
+export type FigureMix = Pick<FigureState, "poses" | "regions" | "bodies"> & {
+  readonly tracked?: TrackedState | null | undefined;
+};
 
 /** What a stage draws of a character: its weights and angles in a state, nothing of its calls, and the light. */
 export type Pose = Pick<CharacterState, "faces" | "expressions" | "regions" | "channels" | "added" | "head" | "eyes"> &
@@ -45,7 +48,7 @@ export const poseKey = ({
 }: Pose): string =>
   JSON.stringify([
     ...[faces, expressions, regions, channels, added, head, eyes, light, complexion, folds],
-    figure && [figure.poses, figure.regions, figure.bodies],
+    figure && [figure.poses, figure.regions, figure.bodies, trackedKey(figure.tracked ?? undefined)],
     idle,
   ]);
 
@@ -113,6 +116,7 @@ function mixFigures(from: Pose["figure"], to: Pose["figure"], part: number): Pos
     poses: mixWeights(before.poses, after.poses, part),
     regions,
     bodies: mixWeights(before.bodies, after.bodies, part),
+    tracked: mixTracked(before.tracked ?? undefined, after.tracked ?? undefined, part),
   };
 }
 
