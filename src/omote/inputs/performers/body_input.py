@@ -1,0 +1,121 @@
+"""Bodies before cameras at a show session: each is a source beside its performer's face."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from omote.inputs.camera.body_frame import BodyFrame, read_body_frame
+from omote.inputs.camera.body_tracker import BodyReading, BodyTracker
+from omote.inputs.performers import camera_messages as wire
+from omote.inputs.performers.source_route import SourceChoice, route_source
+from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.tracker_frame import TrackerFrame
+from omote.inputs.trackers.tracker_input import TrackerInput
+from omote.inputs.trackers.tracker_protocols import TrackerProtocol
+from omote.perform.limits import check_known
+from omote.perform.scene.character_names import ALL
+from omote.show.session import ShowSession
+
+MOST_WAITING = 8
+"""Packets that wait for the next tick; the newest push the oldest out."""
+
+
+def _decode_nothing(_: bytes) -> list[TrackerFrame]:
+    """Its frames come as points, each read by its performer."""
+    return []
+
+
+BODY = TrackerProtocol(
+    "body", "Body", None, "open the page /camera of this show in the performer's browser and switch the body on",
+    lambda _: _decode_nothing,
+)  # fmt: skip
+
+
+@dataclass(eq=False)
+class TrackedBody:
+    """One performer's. choice: what it is to play, until it is routed; heard: frames of it."""
+
+    tracker: BodyTracker = field(default_factory=BodyTracker)
+    waiting: deque[BodyFrame] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
+    reading: BodyReading | None = None
+    choice: SourceChoice | None = None
+    heard: int = 0
+
+
+class BodyInput:
+    """The bodies of all performers before cameras. session: the show that plays; heard: frames of all of them."""
+
+    def __init__(self, session: Callable[[], ShowSession]) -> None:
+        self.trackers = TrackerInput(BODY, session)
+        self._session = session
+        self._bodies: dict[str, TrackedBody] = {}
+        self.heard = 0
+
+    def receive(self, name: str, packet: bytes, now: float) -> str:
+        """Takes a frame, for the next tick; returns why it is none, "" where it is.
+
+        name: the performer's; packet: the page's; now: seconds of the show's clock.
+        """
+        body = self._body(name)
+        self.heard += 1
+        body.heard += 1
+        try:
+            body.waiting.append(read_body_frame(packet))
+        except PacketError as error:
+            self.trackers.reject(name, str(error), now)
+            return str(error)
+        return ""
+
+    def rest(self, name: str) -> None:
+        """Takes the next two seconds as how a performer's body is at rest."""
+        self._body(name).tracker.measure_again()
+
+    def choose(self, name: str, message: wire.PlayBody) -> None:
+        """Chooses whose figure a performer's body plays, from its first frame on; ValueError for a character that there
+        is not.
+
+        name: the performer's; message: what is asked.
+        """
+        characters = [check_known(character, self._session().scene, "character") for character in message.characters]
+        self._body(name).choice = SourceChoice(characters)
+
+    def play(self, now: float) -> None:
+        """Drives the session by the newest frame of each body. now: seconds of the show's clock."""
+        for name, body in self._bodies.items():
+            while body.waiting:
+                body.reading = body.tracker.step(body.waiting.popleft())
+                self.trackers.note("", TrackerFrame(found=bool(body.reading.shares), subject=name))
+        self.trackers.play(now)
+        for name, body in self._bodies.items():
+            if body.choice is not None and self.trackers.client("", name) is not None:
+                if reason := route_source(self._session(), self.trackers, name, body.choice, now):
+                    self.trackers.reject(name, reason, now)
+                body.choice = None
+
+    def end(self, name: str) -> None:
+        """Ends the source of a performer's body; what it plays stays with the show."""
+        self.trackers.end("", name)
+        self._bodies.pop(name, None)
+
+    def choice(self, name: str) -> wire.BodyChoice:
+        """What a performer's body plays, or will once it is seen."""
+        session = self._session()
+        body = self._bodies.get(name, TrackedBody())
+        route = session.sources.route(self.trackers.title("", name))
+        played = list(route.characters) if body.choice is None else body.choice.characters
+        choices = [
+            wire.CharacterChoice(character, label, character in played or ALL in played)
+            for character, label in session.scene.labels.items()
+        ]
+        shares = {} if body.reading is None else body.reading.shares
+        return wire.BodyChoice(
+            choices,
+            body.tracker.rest is not None,
+            body.heard,
+            {region: round(share, 2) for region, share in shares.items()},
+        )
+
+    def _body(self, name: str) -> TrackedBody:
+        return self._bodies.setdefault(name, TrackedBody())
