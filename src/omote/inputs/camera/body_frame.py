@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.arrays import Mask, Points, Values
+from omote.arrays import Points, Values
 from omote.inputs.camera.landmark_frame import LARGEST_PICTURE, LandmarkError
 
 BODY_POINTS = 33
@@ -63,19 +63,19 @@ class BodyFrame:
     @property
     def points(self) -> Points:
         """Where the points are (33, 3), metres in our axes: x to the performer's left, y up, z to the camera."""
-        return self._values()[:, :3] * np.array([1.0, -1.0, -1.0])
+        return np.asarray(self._values()[:, :3] * [1.0, -1.0, -1.0])
 
     @property
     def visible(self) -> Values:
         """How far each point is seen (33,), 0..1: none that lies outside the picture."""
         values = self._values()
-        inside: Mask = (np.abs(values[:, 4:] - 0.5) <= 0.5 + MARGIN).all(axis=1)
+        inside = np.all(np.abs(values[:, 4:] - 0.5) <= 0.5 + MARGIN, axis=1)
         return np.where(inside, values[:, 3], 0.0)
 
     @property
     def picture(self) -> Points:
         """Where the points are in the picture (33, 2): in its widths from its upper left corner, x to the right."""
-        return self._values()[:, 4:] * np.array([1.0, self.height / self.width])
+        return np.asarray(self._values()[:, 4:] * [1.0, self.height / self.width])
 
     def _values(self) -> Values:
         if self.values is None:
