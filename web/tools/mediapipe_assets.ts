@@ -101,9 +101,19 @@ function readFiles(model: Model): Map<string, Uint8Array | string> {
   for (const name of filesOf(model)) files.set(name, readFileSync(resolve(folder, name)));
   files.set("LICENSE", readFileSync(resolve(import.meta.dirname, "apache-2.0.txt")));
   files.set("NOTICE", noticeOf(model));
+  if (model === POSE) files.set("files.json", sumsOf(files, filesOf(model)));
   const glue = glueOf(model);
   files.set(glue, patchGlue(readFileSync(resolve(folder, glue), "utf8"), readFileSync(CLOSURES, "utf8")));
   return files;
+}
+
+/** The SHA-256 of some files: a wheel has these alone of a model, and `omote body-model` the files. */
+function sumsOf(files: Map<string, Uint8Array | string>, names: readonly string[]): string {
+  const sum = (name: string): string =>
+    createHash("sha256")
+      .update(files.get(name) ?? "")
+      .digest("hex");
+  return JSON.stringify(Object.fromEntries(names.map((name) => [name, sum(name)])));
 }
 
 /** Built files are kept by browsers for ever: the folder changes with its content. */

@@ -46,7 +46,7 @@ def body_frame(joints: Points, time: float = 0.0, hidden: Iterable[int] = (), no
             at[point + number] = joints[SKELETON.places[f"{bone}.{side}"]]
     head = joints[SKELETON.places["head"]]
     for number, out in enumerate((1.0, -1.0)):
-        at[EAR + number] = head + [0.07 * out, 0.05, 0.01]
+        at[EAR + number] = np.add(head, (0.07 * out, 0.05, 0.01))
     at += noise * np.random.default_rng(int(1000 * time) + 7).standard_normal(at.shape)
     hips = at[[HIP, HIP + 1]].mean(axis=0)
     lens = joints[SKELETON.places["root"]] + [0.0, 0.3, AWAY]

@@ -22,7 +22,14 @@ interface Results {
   poseWorldLandmarks?: BodyPoint[];
 }
 
-const FILES = { folder: POSE, name: "pose", className: "Pose", more: ["pose_landmark_lite.tflite"] };
+const FILES = {
+  folder: POSE,
+  name: "pose",
+  className: "Pose",
+  more: ["pose_landmark_lite.tflite"],
+  advice:
+    "an installed Omote gets it once: “npm pack @mediapipe/pose@0.5.1675469404”, then “omote body-model mediapipe-pose-0.5.1675469404.tgz” at the machine of the show",
+};
 const OPTIONS: Options = {
   modelComplexity: 0,
   smoothLandmarks: true,

@@ -68,16 +68,15 @@ class BodyInput:
             return str(error)
         return ""
 
-    def rest(self, name: str) -> None:
-        """Takes the next two seconds as how a performer's body is at rest."""
-        self._body(name).tracker.measure_again()
-
-    def choose(self, name: str, message: wire.PlayBody) -> None:
-        """Chooses whose figure a performer's body plays, from its first frame on; ValueError for a character that there
-        is not.
+    def obey(self, name: str, message: wire.BodyMessage) -> None:
+        """Chooses whose figure a performer's body plays, from its first frame on, or takes the next two seconds as how
+        it is at rest; ValueError for a character that there is not.
 
         name: the performer's; message: what is asked.
         """
+        if isinstance(message, wire.RestBody):
+            self._body(name).tracker.measure_again()
+            return
         characters = [check_known(character, self._session().scene, "character") for character in message.characters]
         self._body(name).choice = SourceChoice(characters)
 

@@ -140,10 +140,8 @@ class CameraInput:
                 self.hands.receive(performer.name, message)
             case wire.PlayHand():
                 self.hands.choose(performer.name, message)
-            case wire.PlayBody():
-                self.bodies.choose(performer.name, message)
-            case wire.RestBody():
-                self.bodies.rest(performer.name)
+            case wire.PlayBody() | wire.RestBody():
+                self.bodies.obey(performer.name, message)
             case wire.BeginGuide() | wire.RedoStep() | wire.CancelGuide() | wire.ContinueGuide() | wire.UseFaces():
                 _guide(performer, message)
             case _:
