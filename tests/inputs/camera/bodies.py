@@ -8,9 +8,9 @@ import numpy as np
 
 from omote.arrays import Points
 from omote.builtin import load_cast
-from omote.inputs.camera.body_bones import EAR, ELBOW, HIP, INDEX, LITTLE, SHOULDER, WRIST
-from omote.inputs.camera.body_frame import BODY_POINTS, NUMBERS, BodyFrame
+from omote.inputs.camera.body_points import BODY_POINTS, NUMBERS, BodyPoints
 from omote.inputs.camera.head_pose import LENS
+from omote.inputs.camera.solve_body import EAR, ELBOW, HIP, INDEX, LITTLE, SHOULDER, WRIST
 from omote.model.body.pose import Pose
 from omote.perform.figures.figure import pose_figure, resting_figure
 from omote.perform.figures.pose_mix import mix_poses
@@ -35,7 +35,7 @@ def joints_of(pose: Pose) -> Points:
     return pose_figure(FIGURES.space, RESTING, mix_poses({"it": pose}, {"it": 1.0}, {}, {})).joints
 
 
-def body_frame(joints: Points, time: float = 0.0, hidden: Iterable[int] = (), noise: float = 0.0) -> BodyFrame:
+def filmed_body(joints: Points, time: float = 0.0, hidden: Iterable[int] = (), noise: float = 0.0) -> BodyPoints:
     """The points of a figure before a camera that looks at its chest.
 
     joints (J, 3): of `joints_of`; time: seconds; hidden: points that are not seen; noise: metres, of each number.
@@ -57,4 +57,4 @@ def body_frame(joints: Points, time: float = 0.0, hidden: Iterable[int] = (), no
     values[:, 4] = 0.5 + LENS * seen[:, 0] / -seen[:, 2]
     values[:, 5] = 0.5 - LENS / LENS_HEIGHT * seen[:, 1] / -seen[:, 2]
     values[list(hidden), 3] = 0.05
-    return BodyFrame(values, 640, 480, time)
+    return BodyPoints(values, 640, 480, time)

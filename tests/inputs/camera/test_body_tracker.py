@@ -5,19 +5,19 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Values
-from omote.inputs.camera.body_bones import ELBOW, WRIST, solve_bones
-from omote.inputs.camera.body_frame import BodyFrame
+from omote.inputs.camera.body_points import BodyPoints
 from omote.inputs.camera.body_tracker import REST_SECONDS, BodyReading, BodyTracker
-from tests.inputs.camera.bodies import FIGURES, body_frame, joints_of
+from omote.inputs.camera.solve_body import ELBOW, WRIST, solve_body
+from tests.inputs.camera.bodies import FIGURES, filmed_body, joints_of
 
 STAND, WAVE = (joints_of(FIGURES.poses[name]) for name in ("stand", "wave"))
 RATE = 30
 
 
 def follow(tracker: BodyTracker, joints: object, begin: float, seconds: float, **more: object) -> list[BodyReading]:
-    """Readings of a film. joints: of a pose; more: of `body_frame`."""
+    """Readings of a film. joints: of a pose; more: of `filmed_body`."""
     times = begin + np.arange(round(seconds * RATE)) / RATE
-    return [tracker.step(body_frame(joints, float(time), **more)) for time in times]  # type: ignore[arg-type]
+    return [tracker.step(filmed_body(joints, float(time), **more)) for time in times]  # type: ignore[arg-type]
 
 
 @pytest.fixture
@@ -44,15 +44,15 @@ def test_an_arm_that_leaves_the_picture_fades_to_what_is_called_and_keeps_its_la
     assert shares[-1] == 0.0
     assert gone[-1].shares["arm_right"] == pytest.approx(1.0, abs=0.01)
     assert gone[-1].bones["leftUpperArm"] == pytest.approx(before.bones["leftUpperArm"])
-    nobody = [tracker.step(BodyFrame(None, 640, 480, 7.5 + step / RATE)) for step in range(3 * RATE)]
+    nobody = [tracker.step(BodyPoints(None, 640, 480, 7.5 + step / RATE)) for step in range(3 * RATE)]
     assert (nobody[-1].shares, nobody[-1].bones) == ({}, {})
 
 
 def test_noise_at_rest_is_held_still_and_a_wave_is_followed(tracker: BodyTracker) -> None:
     still = follow(tracker, STAND, 2.5, 4.0, noise=0.01)
     assert tracker.rest is not None
-    frames = (body_frame(STAND, 10.0 + step / RATE, noise=0.01) for step in range(60))
-    raw = _shaking([solve_bones(frame, tracker.rest).bones["leftUpperArm"] for frame in frames])
+    frames = (filmed_body(STAND, 10.0 + step / RATE, noise=0.01) for step in range(60))
+    raw = _shaking([solve_body(frame, tracker.rest).bones["leftUpperArm"] for frame in frames])
     assert _shaking([reading.bones["leftUpperArm"] for reading in still[RATE:]]) < 0.35 * raw
     waved = follow(tracker, WAVE, 6.5, 1.0)
     arms = Rotation.from_quat([reading.bones["rightUpperArm"] for reading in waved])

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.arrays import Values
-from omote.inputs.camera.body_bones import BodyRest, measure_rest, solve_bones
-from omote.inputs.camera.body_frame import BodyFrame
+from omote.inputs.camera.body_points import BodyPoints
 from omote.inputs.camera.one_euro import LONGEST_GAP, OneEuroFilter, Smoothing
+from omote.inputs.camera.solve_body import BodyRest, measure_rest, solve_body
 from omote.model.body.pose_regions import PoseRegion
 
 REST_SECONDS = 2.0
@@ -18,7 +18,7 @@ REST_SECONDS = 2.0
 FEWEST = 5
 """Pictures that this is measured from."""
 FADE = 0.35
-"""Seconds in which a region goes most of the way between what is tracked and what is called."""
+"""Seconds within which a region that comes or goes is believed: one picture without an elbow is not."""
 CALM = Smoothing(calm=1.2, lively=8.0, slope=1.5)
 """Of points, in metres: depth, which a single camera guesses, shakes more than a face. Points are filtered, not bones:
 an arm that is nearly straight makes a large turn of a small error."""
@@ -32,8 +32,8 @@ GONE = 0.002
 @dataclass(frozen=True, eq=False)
 class BodyReading:
     """What is tracked of a body now. bones: quaternions (4,), x, y, z, w, against the bone above from the T-pose, by
-    VRM's names; shares: how much of each region is tracked, 0..1, the rest is called: none, where nothing is. time:
-    seconds of the page's clock."""
+    VRM's names; shares: how far each region is seen, 0..1: none, where nothing is. time: seconds of the page's
+    clock."""
 
     bones: Mapping[str, Values]
     shares: Mapping[PoseRegion, float]
@@ -45,7 +45,7 @@ class BodyTracker:
 
     def __init__(self, rest: BodyRest | None = None, smoothing: Smoothing = CALM) -> None:
         self.rest = rest
-        self._seen: list[BodyFrame] = []
+        self._seen: list[BodyPoints] = []
         self._filter = OneEuroFilter(smoothing)
         self._places: Values | None = None
         self._bones: dict[str, Values] = {}
@@ -57,12 +57,12 @@ class BodyTracker:
         self.rest = None
         self._seen = []
 
-    def step(self, frame: BodyFrame) -> BodyReading:
+    def step(self, frame: BodyPoints) -> BodyReading:
         """What a frame shows.
 
         Parameters
         ----------
-        frame : BodyFrame
+        frame : BodyPoints
             The newest, later than those before.
 
         Returns
@@ -77,7 +77,7 @@ class BodyTracker:
         self._time = frame.time
         wanted: dict[PoseRegion, float] = {"trunk": 0.0, "arm_left": 0.0, "arm_right": 0.0}
         if self.rest is not None:
-            solved = solve_bones(smooth, self.rest)
+            solved = solve_body(smooth, self.rest)
             wanted = {"trunk": solved.trunk, "arm_left": solved.left, "arm_right": solved.right}
             self._bones |= solved.bones
         step = 1.0 - np.exp(-3.0 * gap / FADE)
@@ -87,7 +87,7 @@ class BodyTracker:
         shares = {region: share for region, share in self._shares.items() if share > GONE}
         return BodyReading(self._bones.copy() if shares else {}, shares, frame.time)
 
-    def _smooth(self, frame: BodyFrame) -> BodyFrame:
+    def _smooth(self, frame: BodyPoints) -> BodyPoints:
         """A frame whose points are filtered; one that says nothing stays where it was."""
         if frame.values is None:
             self._filter.reset()
@@ -100,9 +100,9 @@ class BodyTracker:
         self._places = self._filter.follow(places.ravel(), frame.time).reshape(places.shape)
         values = frame.values.copy()
         values[:, PLACES] = self._places
-        return BodyFrame(values, frame.width, frame.height, frame.time)
+        return BodyPoints(values, frame.width, frame.height, frame.time)
 
-    def _wait(self, frame: BodyFrame) -> None:
+    def _wait(self, frame: BodyPoints) -> None:
         """Takes the first seconds as how the performer is at rest."""
         if self._seen and frame.time < self._seen[0].time:
             self._seen.clear()

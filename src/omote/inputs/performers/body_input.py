@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from omote.inputs.camera.body_frame import BodyFrame, read_body_frame
-from omote.inputs.camera.body_tracker import BodyReading, BodyTracker
+from omote.inputs.camera.body_points import BodyPoints, read_body_points
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.source_route import SourceChoice, route_source
 from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.body_bones import BodyBones
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
@@ -18,6 +19,11 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.show.session import ShowSession
 
+if TYPE_CHECKING:
+    from omote.inputs.camera.body_tracker import BodyReading, BodyTracker
+
+HALF = 0.5
+"""Of a region, how much of it is tracked before it plays: the show fades from there."""
 MOST_WAITING = 8
 """Packets that wait for the next tick; the newest push the oldest out."""
 
@@ -33,23 +39,31 @@ BODY = TrackerProtocol(
 )  # fmt: skip
 
 
+def _open_tracker() -> BodyTracker:
+    from omote.inputs.camera.body_tracker import BodyTracker  # SciPy, for those who have a body alone
+
+    return BodyTracker()
+
+
 @dataclass(eq=False)
 class TrackedBody:
     """One performer's. choice: what it is to play, until it is routed; heard: frames of it."""
 
-    tracker: BodyTracker = field(default_factory=BodyTracker)
-    waiting: deque[BodyFrame] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
+    tracker: BodyTracker = field(default_factory=_open_tracker)
+    waiting: deque[BodyPoints] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
     reading: BodyReading | None = None
     choice: SourceChoice | None = None
     heard: int = 0
 
 
 class BodyInput:
-    """The bodies of all performers before cameras. session: the show that plays; heard: frames of all of them."""
+    """The bodies of all performers before cameras. session: the show that plays; faces: those of the same performers,
+    whose characters a body plays until it is told whom; heard: frames of all of them."""
 
-    def __init__(self, session: Callable[[], ShowSession]) -> None:
+    def __init__(self, session: Callable[[], ShowSession], faces: TrackerInput) -> None:
         self.trackers = TrackerInput(BODY, session)
         self._session = session
+        self._faces = faces
         self._bodies: dict[str, TrackedBody] = {}
         self.heard = 0
 
@@ -62,7 +76,7 @@ class BodyInput:
         self.heard += 1
         body.heard += 1
         try:
-            body.waiting.append(read_body_frame(packet))
+            body.waiting.append(read_body_points(packet))
         except PacketError as error:
             self.trackers.reject(name, str(error), now)
             return str(error)
@@ -78,14 +92,14 @@ class BodyInput:
             self._body(name).tracker.measure_again()
             return
         characters = [check_known(character, self._session().scene, "character") for character in message.characters]
-        self._body(name).choice = SourceChoice(characters)
+        self._body(name).choice = SourceChoice(characters, ["body"])
 
     def play(self, now: float) -> None:
         """Drives the session by the newest frame of each body. now: seconds of the show's clock."""
         for name, body in self._bodies.items():
             while body.waiting:
                 body.reading = body.tracker.step(body.waiting.popleft())
-                self.trackers.note("", TrackerFrame(found=bool(body.reading.shares), subject=name))
+                self.trackers.note("", _frame(name, body.reading))
         self.trackers.play(now)
         for name, body in self._bodies.items():
             if body.choice is not None and self.trackers.client("", name) is not None:
@@ -117,4 +131,19 @@ class BodyInput:
         )
 
     def _body(self, name: str) -> TrackedBody:
-        return self._bodies.setdefault(name, TrackedBody())
+        """A performer's body; one that comes for the first time plays whom its performer's face plays."""
+        if name not in self._bodies:
+            sources = self._session().sources
+            faces = sources.route(self._faces.title("", name)).characters
+            known = sources.remembers(self.trackers.title("", name))
+            choice = None if known or not faces else SourceChoice(list(faces), ["body"])
+            self._bodies[name] = TrackedBody(choice=choice)
+        return self._bodies[name]
+
+
+def _frame(name: str, reading: BodyReading) -> TrackerFrame:
+    """What a reading drives. name: the performer's."""
+    seen = frozenset(region for region, share in reading.shares.items() if share > HALF)
+    turns = {bone: (x, y, z, w) for bone, (x, y, z, w) in reading.bones.items()}
+    bones = BodyBones(turns, seen=seen)
+    return TrackerFrame(found=bool(seen), time=reading.time, subject=name, bones=bones)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from omote.inputs.camera.body_frame import holds_body
+from omote.inputs.camera.body_points import holds_body
 from omote.inputs.camera.performer_calibration import PerformerCalibration
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.body_input import BodyInput
@@ -62,7 +62,7 @@ class CameraInput:
     def __init__(self, session: Callable[[], ShowSession], performers: PerformerList) -> None:
         self.trackers = TrackerInput(CAMERA, session)
         self.hands = HandInput(session)
-        self.bodies = BodyInput(session)
+        self.bodies = BodyInput(session, self.trackers)
         self.performers = performers
         self._session = session
         self._links: dict[str, CameraPerformer] = {}

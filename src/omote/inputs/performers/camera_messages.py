@@ -1,5 +1,5 @@
 """Every message of the camera page's link (MessagePack); landmarks and bodies come beside them
-(`camera/landmark_frame.py`, `camera/body_frame.py`).
+(`camera/landmark_frame.py`, `camera/body_points.py`).
 
 `tools/messages.py` writes them in TypeScript.
 """

@@ -32,7 +32,7 @@ _HEADER = struct.Struct("<4sHHHHd")
 
 
 @dataclass(frozen=True, eq=False)
-class BodyFrame:
+class BodyPoints:
     """What was found of a body in one picture. The picture is as the camera gives it, not mirrored.
 
     values (33, 6): of each point as in the layout above; None where no body was found. A point with a number that is
@@ -83,7 +83,7 @@ class BodyFrame:
         return self.values.astype(np.float64)
 
 
-def read_body_frame(packet: bytes) -> BodyFrame:
+def read_body_points(packet: bytes) -> BodyPoints:
     """Reads a binary message of the camera page.
 
     Parameters
@@ -93,7 +93,7 @@ def read_body_frame(packet: bytes) -> BodyFrame:
 
     Returns
     -------
-    BodyFrame
+    BodyPoints
         What it holds, checked; the time in seconds.
 
     Raises
@@ -114,10 +114,10 @@ def read_body_frame(packet: bytes) -> BodyFrame:
     if len(packet) != expected:
         raise LandmarkError(f"it has {len(packet)} bytes; with {count} points it has {expected}")
     values = np.frombuffer(packet, "<f4", offset=_HEADER.size).reshape(count, NUMBERS) if count else None
-    return BodyFrame(values, width, height, milliseconds / 1000.0)
+    return BodyPoints(values, width, height, milliseconds / 1000.0)
 
 
-def write_body_frame(frame: BodyFrame) -> bytes:
+def write_body_points(frame: BodyPoints) -> bytes:
     """The message that reads as this frame (what the camera page does, for programs and tests)."""
     count = BODY_POINTS if frame.found else 0
     header = _HEADER.pack(_SIGNATURE, _VERSION, frame.width, frame.height, count, 1000.0 * frame.time)

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Points, Values
-from omote.inputs.camera.body_frame import BodyFrame
+from omote.inputs.camera.body_points import BodyPoints
 from omote.inputs.camera.head_pose import LENS
 
 EAR, SHOULDER, ELBOW, WRIST, LITTLE, INDEX, HIP = 7, 11, 13, 15, 17, 19, 23
@@ -78,7 +78,7 @@ class BodyRest:
 
 
 @dataclass(frozen=True, eq=False)
-class BodyBones:
+class SolvedBody:
     """What one frame shows. bones: quaternions (4,), x, y, z, w, by VRM's names; trunk, left, right: how far the trunk
     and each arm are seen, 0..1; bones of an arm that is not seen are missing."""
 
@@ -88,7 +88,7 @@ class BodyBones:
     right: float
 
 
-def measure_rest(frames: list[BodyFrame]) -> BodyRest | None:
+def measure_rest(frames: list[BodyPoints]) -> BodyRest | None:
     """A performer at rest: the median of what some frames show; None where none of them shows both shoulders."""
     seen = [frame for frame in frames if frame.found and _seen(frame, SHOULDER, SHOULDER + 1) > 0.0]
     if not seen:
@@ -101,7 +101,7 @@ def measure_rest(frames: list[BodyFrame]) -> BodyRest | None:
     return BodyRest(np.asarray(trunks), float(necks), float(distances), float(backs), float(leans), np.asarray(limbs))
 
 
-def solve_bones(frame: BodyFrame, rest: BodyRest) -> BodyBones:
+def solve_body(frame: BodyPoints, rest: BodyRest) -> SolvedBody:
     """The bones that a frame shows; nothing is seen where it has no body.
 
     A picture says exactly where a point is seen, and a model only guesses how deep: what is seen of a limb, by its
@@ -111,7 +111,7 @@ def solve_bones(frame: BodyFrame, rest: BodyRest) -> BodyBones:
     """
     trunk_seen = _seen(frame, SHOULDER, SHOULDER + 1) if frame.found else 0.0
     if trunk_seen == 0.0:
-        return BodyBones({}, 0.0, 0.0, 0.0)
+        return SolvedBody({}, 0.0, 0.0, 0.0)
     heading = _heading(rest.trunk)
     turned = heading.T @ _trunk(frame, _lean(frame, rest)) @ rest.trunk.T @ heading
     vector = Rotation.from_matrix(turned).as_rotvec().clip(TRUNK_LOWEST, TRUNK_HIGHEST)
@@ -128,10 +128,10 @@ def solve_bones(frame: BodyFrame, rest: BodyRest) -> BodyBones:
             hand = min(_share(weights[point + number]) for point in (INDEX, LITTLE))
             flip = np.array([1.0, mirror[0], mirror[0], 1.0])
             bones |= {f"{name}{bone}": flip * turn for bone, turn in _arm(ways, shrug, hand).items()}
-    return BodyBones(bones, trunk_seen, seen[0], seen[1])
+    return SolvedBody(bones, trunk_seen, seen[0], seen[1])
 
 
-def _arm_ways(frame: BodyFrame, rest: BodyRest, number: int) -> Points:
+def _arm_ways(frame: BodyPoints, rest: BodyRest, number: int) -> Points:
     """Along the upper arm, the forearm and the palm, and from the little finger to the index, (4, 3), in the camera's
     axes. number: 0 for the left, 1 for the right."""
     points = frame.points
@@ -200,7 +200,7 @@ def _limit_hand(turn: Rotation) -> Rotation:
     return Rotation.from_rotvec(swing) * Rotation.from_rotvec(twist * ALONG)
 
 
-def _trunk(frame: BodyFrame, lean: float) -> Values:
+def _trunk(frame: BodyPoints, lean: float) -> Values:
     """How the trunk is turned (3, 3) in the camera's axes: along its shoulders, and up from the hips as far as these
     are seen. lean: forward of upright, radians."""
     points = frame.points
@@ -213,7 +213,7 @@ def _trunk(frame: BodyFrame, lean: float) -> Values:
     return np.asarray(_frame(across, math.cos(lean) * up + math.sin(lean) * _unit(np.cross(across, up))).as_matrix())
 
 
-def _lean(frame: BodyFrame, rest: BodyRest) -> float:
+def _lean(frame: BodyPoints, rest: BodyRest) -> float:
     """Forward of rest, radians: by how near the shoulders have come, or, where hips are seen, by the model's depth as
     far as the back is drawn shorter."""
     nearer = math.asin(min(0.8, max(-0.3, (rest.distance - _distance(frame)) / BACK)))
@@ -231,7 +231,7 @@ def _heading(trunk: Values) -> Values:
     return np.asarray(Rotation.from_rotvec(math.atan2(trunk[0, 2], trunk[2, 2]) * UP).as_matrix())
 
 
-def _neck(frame: BodyFrame) -> float:
+def _neck(frame: BodyPoints) -> float:
     """How far ears are above the shoulders, of the distance between these."""
     rays = _rays(frame)
     across = rays[SHOULDER] - rays[SHOULDER + 1]
@@ -239,7 +239,7 @@ def _neck(frame: BodyFrame) -> float:
     return float((_middle(rays, EAR) - _middle(rays, SHOULDER)) @ up * _distance(frame))
 
 
-def _distance(frame: BodyFrame) -> float:
+def _distance(frame: BodyPoints) -> float:
     """Of the shoulders from the camera, in distances between them, by how large they are in the picture."""
     rays = _rays(frame)
     drawn = max(float(np.linalg.norm(rays[SHOULDER] - rays[SHOULDER + 1])), 1e-3)
@@ -247,19 +247,19 @@ def _distance(frame: BodyFrame) -> float:
     return float(np.linalg.norm(across[:2])) / _wide(frame) / drawn
 
 
-def _back(frame: BodyFrame) -> float:
+def _back(frame: BodyPoints) -> float:
     """From hips to shoulders as drawn, in distances between the shoulders."""
     rays = _rays(frame)
     return max(1e-3, float(np.linalg.norm(_middle(rays, SHOULDER) - _middle(rays, HIP))) * _distance(frame))
 
 
-def _deep_lean(frame: BodyFrame) -> float:
+def _deep_lean(frame: BodyPoints) -> float:
     """How far the trunk leans forward by the model's depth, radians."""
     _, up, ahead = _middle(frame.points, SHOULDER) - _middle(frame.points, HIP)
     return math.atan2(ahead, up)
 
 
-def _hanging_limbs(frame: BodyFrame) -> Values:
+def _hanging_limbs(frame: BodyPoints) -> Values:
     """The lengths of upper arm and forearm (2,) of arms that hang, in distances between the shoulders; the usual ones
     where they are not seen, or do not hang."""
     rays = _rays(frame) * _distance(frame)
@@ -274,12 +274,12 @@ def _hanging_limbs(frame: BodyFrame) -> Values:
     return np.asarray((HANGING_LONGER * lengths.mean(axis=0)).clip(0.75 * USUAL_LIMBS, 1.25 * USUAL_LIMBS))
 
 
-def _rays(frame: BodyFrame) -> Points:
+def _rays(frame: BodyPoints) -> Points:
     """Where each point is seen (33, 2), at a distance of one from the camera: x to the performer's left, y up."""
     return (frame.picture - [0.5, 0.5 * frame.height / frame.width]) * [1.0, -1.0] / LENS
 
 
-def _wide(frame: BodyFrame) -> float:
+def _wide(frame: BodyPoints) -> float:
     """Between the shoulders, metres, as the model has it."""
     return max(float(np.linalg.norm(frame.points[SHOULDER] - frame.points[SHOULDER + 1])), 0.05)
 
@@ -289,7 +289,7 @@ def _middle(places: Points, left: int) -> Points:
     return np.asarray(0.5 * (places[left] + places[left + 1]))
 
 
-def _seen(frame: BodyFrame, *points: int) -> float:
+def _seen(frame: BodyPoints, *points: int) -> float:
     """How far all of some points are seen, 0..1."""
     visible = frame.visible
     return min(_share(visible[point]) for point in points)
