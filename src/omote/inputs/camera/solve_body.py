@@ -17,7 +17,13 @@ from omote.arrays import Points, Values
 from omote.inputs.camera.body_points import BodyPoints
 from omote.inputs.camera.head_pose import LENS
 
-EAR, SHOULDER, ELBOW, WRIST, LITTLE, INDEX, HIP = 7, 11, 13, 15, 17, 19, 23
+EAR = 7
+SHOULDER = 11
+ELBOW = 13
+WRIST = 15
+LITTLE = 17
+INDEX = 19
+HIP = 23
 """Points of the left side; those of the right are the next ones."""
 LEAST_SEEN = 0.4
 WELL_SEEN = 0.7

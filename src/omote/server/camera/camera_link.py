@@ -86,10 +86,9 @@ class CameraLinks(DeviceSource):
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of it."""
-        hands, bodies = self.cameras.hands, self.cameras.bodies
         beside = [
             lambda each=each: replace(count_tracker(each.trackers, each.trackers.protocol.advice), heard=each.heard)
-            for each in (hands, bodies)
+            for each in (self.cameras.hands, self.cameras.bodies)
             if each.heard
         ]
         return [self._count, *beside]
