@@ -29,7 +29,7 @@ def filmed(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterat
     empty = BytesIO()
     Image.new("RGB", (640, 480), (136, 140, 144)).save(empty, "JPEG")
     film = tmp_path_factory.mktemp("film") / "body.mjpeg"
-    film.write_bytes(240 * body + 90 * empty.getvalue())
+    film.write_bytes(150 * body + 60 * empty.getvalue())
     chromium = browser.browser_type.launch(
         executable_path=str(find_browser()),
         chromium_sandbox=False,
@@ -67,6 +67,6 @@ def test_a_body_before_the_camera_lifts_the_arm_of_a_figure(filmed: Browser, sho
     expect(switch).not_to_be_checked()
     assert page.get_by_role("region", name="Body", exact=True).count() == 0
     switch.check()
-    wait_for("body.model?.kind === 'ready' && session.model.kind === 'ready'")
+    wait_for("body.model !== null && session.tracksBody && session.tracksFace")
     assert wrong == []
     context.close()
