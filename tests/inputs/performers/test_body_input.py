@@ -104,9 +104,10 @@ def test_an_arm_out_of_the_picture_goes_back_to_what_is_called_and_nobody_gives_
 
 def test_a_body_plays_whom_its_face_plays_until_it_is_told_another(stage: Stage) -> None:
     stage.session.receive("console", AddCharacter("1", "two", "Two", "man"), 0.0)
+    assert not shares(stage.play(2.5, STAND)["one"]), "of two characters neither is taken"
     route = RouteSource("2", stage.faces.title("", "Ada"), ["one"], "tracker", [])
-    stage.session.receive("console", route, 0.0)
-    stage.play(3.0, STAND)
+    stage.session.receive("console", route, stage.now)
+    stage.play(0.5, STAND)
     characters = stage.play(1.0, PRESENT)
     assert shares(characters["one"])["arm_left"] > 0.5
     assert shares(characters["two"]) == {}

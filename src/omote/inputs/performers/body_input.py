@@ -47,11 +47,13 @@ def _open_tracker() -> BodyTracker:
 
 @dataclass(eq=False)
 class TrackedBody:
-    """One performer's. choice: what it is to play, until it is routed; heard: frames of it."""
+    """One performer's. follows: whether it plays whom the performer's face plays, as nobody has said whom; choice: what
+    it is to play, until it is routed; heard: frames of it."""
 
     tracker: BodyTracker = field(default_factory=_open_tracker)
     waiting: deque[BodyPoints] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
     reading: BodyReading | None = None
+    follows: bool = True
     choice: SourceChoice | None = None
     heard: int = 0
 
@@ -92,7 +94,9 @@ class BodyInput:
             self._body(name).tracker.measure_again()
             return
         characters = [check_known(character, self._session().scene, "character") for character in message.characters]
-        self._body(name).choice = SourceChoice(characters, ["body"])
+        body = self._body(name)
+        body.choice = SourceChoice(characters, ["body"])
+        body.follows = False
 
     def play(self, now: float) -> None:
         """Drives the session by the newest frame of each body. now: seconds of the show's clock."""
@@ -102,6 +106,8 @@ class BodyInput:
                 self.trackers.note("", _frame(name, body.reading))
         self.trackers.play(now)
         for name, body in self._bodies.items():
+            if body.follows:
+                self._follow_face(name, body)
             if body.choice is not None and self.trackers.client("", name) is not None:
                 if reason := route_source(self._session(), self.trackers, name, body.choice, now):
                     self.trackers.reject(name, reason, now)
@@ -131,14 +137,19 @@ class BodyInput:
         )
 
     def _body(self, name: str) -> TrackedBody:
-        """A performer's body; one that comes for the first time plays whom its performer's face plays."""
         if name not in self._bodies:
-            sources = self._session().sources
-            faces = sources.route(self._faces.title("", name)).characters
-            known = sources.remembers(self.trackers.title("", name))
-            choice = None if known or not faces else SourceChoice(list(faces), ["body"])
-            self._bodies[name] = TrackedBody(choice=choice)
+            known = self._session().sources.remembers(self.trackers.title("", name))
+            self._bodies[name] = TrackedBody(follows=not known)
         return self._bodies[name]
+
+    def _follow_face(self, name: str, body: TrackedBody) -> None:
+        """Has a body that comes for the first time play whom its performer's face plays, once that plays somebody."""
+        sources = self._session().sources
+        if sources.route(self.trackers.title("", name)).characters:
+            body.follows = False
+        elif faces := sources.route(self._faces.title("", name)).characters:
+            body.choice = SourceChoice(list(faces), ["body"])
+            body.follows = False
 
 
 def _frame(name: str, reading: BodyReading) -> TrackerFrame:
