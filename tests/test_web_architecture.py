@@ -15,7 +15,7 @@ SHORT_MODULE = 30
 LONELY_MODULES: dict[str, str] = {"microphone/capture_worklet": "the browser loads it as a file of its own"}
 
 # Where the browser begins: pages, and workers, which their pages name by a URL.
-PAGES_AND_WORKERS = {"main", "landmark_worker", "hand_worker", "photograph_worker"}
+PAGES_AND_WORKERS = {"main", "landmark_worker", "hand_worker", "body_worker", "photograph_worker"}
 
 # Which folders each folder imports from, lowest first. A page imports from no other page, `face` and `ui` nothing from
 # each other.
@@ -23,6 +23,7 @@ USED: dict[str, str] = {
     "link": "",
     "face_mesh": "",
     "hands": "face_mesh",
+    "body": "face_mesh",
     "webcam": "",
     "ui": "link",
     "access": "link ui",
@@ -83,8 +84,8 @@ USED: dict[str, str] = {
     "rehearsal/notes": "ui rehearsal",
     "rehearsal/runs": "link ui rehearsal",
     "replay": "ui rehearsal",
-    "camera/session": "link face_mesh hands webcam",
-    "camera": "ui access face_mesh hands camera/session",
+    "camera/session": "link face_mesh hands body webcam",
+    "camera": "ui access face_mesh hands body camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",

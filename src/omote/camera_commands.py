@@ -1,4 +1,4 @@
-"""The command `omote track`: a performer's own machine, its camera for a show elsewhere."""
+"""The commands `omote track` and `omote body-model`: cameras of performers, and the model by which bodies are found."""
 
 from __future__ import annotations
 
@@ -41,3 +41,17 @@ def track(
         fail_with(error)
     with exit_on_refusal():
         track_server.track(target, port, announce)
+
+
+def body_model(
+    package: Annotated[Path, typer.Argument(metavar="PACKAGE.TGZ", help="Of npm: npm pack @mediapipe/pose.")],
+) -> None:
+    """Puts the model that finds bodies before a camera into an installed Omote; a checkout has it."""
+    from omote.server.camera.body_model import install_body_model
+    from omote.server.http.static_pages import FOLDER
+
+    try:
+        folder = install_body_model(package, FOLDER / "static")
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    say(f"bodies are found from now on by the model in {folder}; load the camera page again.")

@@ -13,7 +13,7 @@ import typer
 
 from omote.access_commands import access_app
 from omote.agent_commands import mcp
-from omote.camera_commands import track
+from omote.camera_commands import body_model, track
 from omote.clip_commands import clip_app
 from omote.export_commands import export
 from omote.face_commands import draw_random, face
@@ -102,6 +102,7 @@ app.command()(stimuli)
 app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)
+app.command("body-model")(body_model)
 app.command("record-take")(record_take)
 app.command()(replay)
 app.command()(voice)

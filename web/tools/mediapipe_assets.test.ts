@@ -17,8 +17,8 @@ it("leaves no function that is made from a string, and the rest as it is", () =>
   expect(patched.startsWith(glue.slice(0, glue.indexOf("function createNamedFunction")))).toBe(true);
 });
 
-it("leaves a glue as it is that makes no code from strings", () => {
-  expect(patchGlue(glueOf("hands"), closures)).toBe(glueOf("hands"));
+it.each(["hands", "pose"])("leaves the glue of %s as it is, which makes no code from strings", (name) => {
+  expect(patchGlue(glueOf(name), closures)).toBe(glueOf(name));
 });
 
 it("stops the build for another glue", () => {

@@ -13,6 +13,8 @@ interface Model {
   readonly name: string;
   readonly title: string;
   readonly version: string;
+  /** The file of its graph. */
+  readonly graph: string;
   /** What of it is served, beside its script, its graph and what all have. */
   readonly files: readonly string[];
   /** The constant of the virtual module that says where the files are. */
@@ -23,6 +25,7 @@ const FACE_MESH: Model = {
   name: "face_mesh",
   title: "Face Mesh",
   version: "0.4.1633559619",
+  graph: "face_mesh.binarypb",
   files: [],
   constant: "FACE_MESH",
 };
@@ -31,15 +34,25 @@ const HANDS: Model = {
   name: "hands",
   title: "Hands",
   version: "0.4.1675469240",
+  graph: "hands.binarypb",
   files: ["hand_landmark_lite.tflite"],
   constant: "HANDS",
+};
+/** The lite model alone: the full one has 3.6 MB more and takes longer than a face and a body together may. */
+const POSE: Model = {
+  name: "pose",
+  title: "Pose",
+  version: "0.5.1675469404",
+  graph: "pose_web.binarypb",
+  files: ["pose_landmark_lite.tflite"],
+  constant: "POSE",
 };
 
 const glueOf = ({ name }: Model): string => `${name}_solution_simd_wasm_bin.js`;
 
 /** Every browser that the pages run in knows SIMD (Chromium 91, Firefox 89, Safari 16.4): the other wasm stays out. */
 const filesOf = (model: Model): string[] => [
-  `${model.name}.binarypb`,
+  model.graph,
   `${model.name}.js`,
   `${model.name}_solution_packed_assets.data`,
   `${model.name}_solution_packed_assets_loader.js`,
@@ -88,9 +101,19 @@ function readFiles(model: Model): Map<string, Uint8Array | string> {
   for (const name of filesOf(model)) files.set(name, readFileSync(resolve(folder, name)));
   files.set("LICENSE", readFileSync(resolve(import.meta.dirname, "apache-2.0.txt")));
   files.set("NOTICE", noticeOf(model));
+  if (model === POSE) files.set("files.json", sumsOf(files, filesOf(model)));
   const glue = glueOf(model);
   files.set(glue, patchGlue(readFileSync(resolve(folder, glue), "utf8"), readFileSync(CLOSURES, "utf8")));
   return files;
+}
+
+/** The SHA-256 of some files: a wheel has these alone of a model, and `omote body-model` the files. */
+function sumsOf(files: Map<string, Uint8Array | string>, names: readonly string[]): string {
+  const sum = (name: string): string =>
+    createHash("sha256")
+      .update(files.get(name) ?? "")
+      .digest("hex");
+  return JSON.stringify(Object.fromEntries(names.map((name) => [name, sum(name)])));
 }
 
 /** Built files are kept by browsers for ever: the folder changes with its content. */
@@ -115,6 +138,6 @@ function modelAssets(model: Model, role: "pages" | "worker"): Plugin {
   };
 }
 
-/** The plugins. `virtual:face_mesh` and `virtual:hands` say where the files are; the pages' build (not the worker's) writes them. */
+/** The plugins. `virtual:face_mesh`, `virtual:hands` and `virtual:pose` say where the files are; the pages' build (not the worker's) writes them. */
 export const mediapipeAssets = (role: "pages" | "worker"): Plugin[] =>
-  [FACE_MESH, HANDS].map((model) => modelAssets(model, role));
+  [FACE_MESH, HANDS, POSE].map((model) => modelAssets(model, role));

@@ -257,7 +257,7 @@ def test_a_face_that_is_lost_is_told_to_the_show(stage: Stage) -> None:
 
 def test_what_cannot_be_done_is_rejected_with_a_reason(stage: Stage) -> None:
     before: tuple[tuple[wire.FromCamera, str], ...] = (
-        (wire.Perform(99, "Ada"), "speaks version 99, the show 2"),
+        (wire.Perform(99, "Ada"), "speaks version 99, the show 3"),
         (wire.Perform(wire.CAMERA_VERSION, " "), "give a name"),
         (wire.BeginGuide(), "nobody performs at this page yet"),
     )

@@ -2,6 +2,8 @@
 
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { drawBody } from "../body/body_drawing";
+import type { Body } from "../body/body_messages";
 import { drawLandmarks } from "../face_mesh/landmark_drawing";
 import type { Landmarks } from "../face_mesh/landmark_messages";
 import { drawHands } from "../hands/hand_drawing";
@@ -11,10 +13,12 @@ import { base, palette, toolPage } from "../ui/theme";
 import { textOf, whileShown } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
 import { cameraPageStyle } from "./camera_page_style";
+import "./body_panel";
 import "./guide_view";
 import "./hand_guide_view";
 import "./hand_panel";
 import "./performer_panel";
+import "./tracked_panel";
 
 /** Bars of what the face is read as: the rest would not be read. */
 const BARS = 52;
@@ -28,7 +32,7 @@ export class CameraPage extends CameraElement {
     this.count += 1;
   }
 
-  /** Draws what is found in pictures: the newest face and the newest hands. */
+  /** Draws what is found in pictures: the newest face, the newest hands and the newest body. */
   readonly drawing = {
     face: (landmarks: Landmarks): void => {
       this.#face = landmarks;
@@ -38,19 +42,26 @@ export class CameraPage extends CameraElement {
       this.#hands = [hands, playing];
       this.#draw();
     },
+    body: (body: Body): void => {
+      this.#body = body;
+      this.#draw();
+    },
   };
   #face: Landmarks | null = null;
   #hands: [Hands, number] | null = null;
+  #body: Body | null = null;
 
   #draw(): void {
     const canvas = this.renderRoot.querySelector("canvas");
-    const { tracked } = this.session;
-    const size = this.#hands?.[0] ?? this.#face;
+    const { tracksFace, tracksHand, tracksBody } = this.session;
+    const size = this.#body ?? this.#hands?.[0] ?? this.#face;
     if (canvas === null || size === null) return;
-    const face = tracked === "hand" ? null : this.#face;
-    drawLandmarks(canvas, face ?? { ...size, points: new Float32Array(), light: 0 });
+    const { width, height, time, cost } = size;
+    const face = tracksFace ? this.#face : null;
+    drawLandmarks(canvas, face ?? { width, height, time, cost, points: new Float32Array(), light: 0 });
     const context = canvas.getContext("2d");
-    if (context !== null && this.#hands !== null && tracked !== "face") drawHands(context, ...this.#hands);
+    if (context !== null && this.#body !== null && tracksBody) drawBody(context, this.#body);
+    if (context !== null && this.#hands !== null && tracksHand) drawHands(context, ...this.#hands);
   }
 
   /** Whether a guide stood under the picture when the page was drawn last. */
@@ -70,7 +81,7 @@ export class CameraPage extends CameraElement {
 
   override render() {
     const { session, count } = this;
-    const byFace = session.tracked !== "hand";
+    const byFace = session.tracksFace;
     const asked = byFace && (session.status === null ? session.model.kind === "loading" : session.status.guide);
     const awaited = session.trouble === null && asked; // the picture keeps its size when loading ends
     const [guided, offered] = [session.model.kind === "ready" && awaited, byFace && session.status?.unused];
@@ -85,7 +96,9 @@ export class CameraPage extends CameraElement {
         </div>
         <div class="right">
           <omote-performer .session=${session} .count=${count}></omote-performer>
+          <omote-tracked .session=${session} .count=${count}></omote-tracked>
           <omote-hand .session=${session} .count=${count}></omote-hand>
+          <omote-body .session=${session} .count=${count}></omote-body>
           ${byFace ? this.#bars() : nothing}
         </div>
       </main>`;
@@ -117,22 +130,29 @@ export class CameraPage extends CameraElement {
         <button @click=${() => this.session.perform(name)}>Take it back</button></span>`;
     }
     if (online && noPicture) {
-      return html`<span class="waiting" role="status">${trouble ? "No camera" : noPicture}: the show gets no ${this.session.tracked === "hand" ? "hand" : "face"}</span>`;
+      return html`<span class="waiting" role="status">${trouble ? "No camera" : noPicture}: the show gets no ${this.#sought}</span>`;
     }
     if (online) return html`<span class="online" role="status">The show hears you</span>`;
     return html`<span class="lost" role="alert">No link to the show – trying again</span>`;
   }
 
+  /** What the camera is for first. */
+  get #sought(): "face" | "hand" | "body" {
+    const { tracked } = this.session;
+    return tracked === "both" ? "face" : tracked;
+  }
+
   /** What lies over the picture while there is none. */
   #cover() {
-    const { trouble, device, tracked, hand } = this.session;
-    const model = tracked === "hand" && hand.model !== null ? hand.model : this.session.model;
+    const { trouble, device, tracked, hand, body } = this.session;
+    const apart = tracked === "hand" ? hand.model : tracked === "body" ? body.model : null;
+    const model = apart ?? this.session.model;
     if (trouble) {
       return html`<div class="cover" role="alert"><h2>${trouble.title}</h2><p>${trouble.advice}</p>
         <button @click=${() => this.session.choose(device)}>Try again</button></div>`;
     }
     if (model.kind === "failed") {
-      return html`<div class="cover" role="alert"><h2>The ${tracked === "hand" ? "hand" : "face"} model does not run here</h2>
+      return html`<div class="cover" role="alert"><h2>The ${this.#sought} model does not run here</h2>
         <p>${model.reason}. Load the page again; a current Chrome, Edge, Firefox or Safari can.</p></div>`;
     }
     if (model.kind === "loading") {
@@ -143,8 +163,8 @@ export class CameraPage extends CameraElement {
   }
 
   #health() {
-    const { health, model, noPicture, tracked } = this.session;
-    if (tracked === "hand") return nothing;
+    const { health, model, noPicture, tracksFace } = this.session;
+    if (!tracksFace) return nothing;
     const where = model.kind === "ready" && !noPicture ? `${model.backend}, ${model.cost.toFixed(0)} ms` : "";
     return html`<ul class="health" aria-label="Health">${health.map(
       ({ what, good, advice }) => html`<li class=${good ? "good" : "bad"}><b>${what}</b> ${advice}</li>`,

@@ -1,4 +1,4 @@
-/** What the camera is looked at for; how the hand is read, and what it plays. */
+/** How the hand is read, and what it plays. */
 
 import { css, html, nothing, svg } from "lit";
 import { customElement, state } from "lit/decorators.js";
@@ -12,13 +12,7 @@ import { mainButton } from "./camera_page_style";
 import { FILM_SECONDS, FilmRecorder } from "./film_recorder";
 import { drawHand, drawStand } from "./hand_picture";
 import type { HandChoice } from "./session/camera_messages";
-import type { Tracked } from "./session/camera_session";
 
-const TRACKED: readonly (readonly [Tracked, string])[] = [
-  ["face", "Face"],
-  ["hand", "Hand"],
-  ["both", "Face and hand"],
-];
 /** What a hand takes of a face; the rest is played by who has it. */
 const REGIONS: readonly (readonly [string, HandChoice["regions"]])[] = [
   ["mouth and head", ["mouth", "head"]],
@@ -83,14 +77,9 @@ export class HandPanel extends CameraElement {
   readonly #film = new FilmRecorder(() => this.requestUpdate());
 
   override render() {
-    const { tracked, status } = this.session;
-    return html`<section class="panel" aria-label="Tracked"><h2>The camera is for</h2>
-        <div class="row" role="group" aria-label="The camera is for">${TRACKED.map(
-          ([name, label]) =>
-            html`<button aria-pressed=${tracked === name} @click=${() => this.session.track(name)}>${label}</button>`,
-        )}</div></section>
-      ${tracked === "face" ? nothing : html`${this.#calibration()}${status ? this.#plays(status.hand) : nothing}${this.#axes()}`}
-      ${tracked !== "face" || this.#film.records ? this.#saving() : nothing}`;
+    const { tracksHand, status } = this.session;
+    return html`${tracksHand ? html`${this.#calibration()}${status ? this.#plays(status.hand) : nothing}${this.#axes()}` : nothing}
+      ${tracksHand || this.#film.records ? this.#saving() : nothing}`;
   }
 
   #calibration() {

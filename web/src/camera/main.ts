@@ -1,7 +1,8 @@
-/** The camera page: a performer's face and hand, found in the browser, play characters of the show. */
+/** The camera page: a performer's face, hand and body, found in the browser, play characters of the show. */
 
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
+import { openBodyWorker, warmUpBodyPicture } from "../body/body_client";
 import { openLandmarkWorker, warmUpPicture } from "../face_mesh/landmark_client";
 import { openHandWorker, warmUpHandPicture } from "../hands/hand_client";
 import { onFileDrop } from "../ui/file_import";
@@ -16,6 +17,8 @@ async function start(): Promise<void> {
     facePicture: warmUpPicture,
     openHand: openHandWorker,
     handPicture: warmUpHandPicture,
+    openBody: openBodyWorker,
+    bodyPicture: warmUpBodyPicture,
   };
   const [changed, reload] = [() => page.changed(), () => location.reload()]; // the server then asks for another token
   page.session = new CameraSession(models, localStorage, changed, page.drawing, reload);

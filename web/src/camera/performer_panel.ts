@@ -86,7 +86,7 @@ export class PerformerPanel extends CameraElement {
   override render() {
     const status = this.session.status;
     return html`<section class="panel" aria-label="Performer">${this.#name()}${status ? this.#list(status) : nothing}</section>
-      ${status && this.session.tracked !== "hand" ? html`${this.#characters(status)}${this.#calibration(status)}` : nothing}`;
+      ${status && this.session.tracksFace ? html`${this.#characters(status)}${this.#calibration(status)}` : nothing}`;
   }
 
   #name() {

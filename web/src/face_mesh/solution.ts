@@ -22,12 +22,16 @@ export interface Solution<Options, Results> {
   send(input: { image: OffscreenCanvas | ImageBitmap }): Promise<void>;
 }
 
-/** Which package: the folder of its files at the server, how these begin, its class, and large files of its own. */
+/**
+ * Which package: the folder of its files at the server, how these begin, its class, large files of its own, and what to
+ * do where the server has none of them.
+ */
 export interface SolutionFiles {
   readonly folder: string;
   readonly name: string;
   readonly className: string;
   readonly more: readonly string[];
+  readonly advice?: string;
 }
 
 declare const importScripts: (...addresses: string[]) => void;
@@ -58,8 +62,13 @@ function provideWindow(): void {
   Object.assign(globalThis, { window: globalThis, document: { createElement, body } });
 }
 
+const BUILD_AGAIN = "build the pages again: make web";
+
 /** Reads the large files once, so that the browser has them when the package asks. progress: called with how much has come, 0..1. */
-async function fetchFiles({ folder, name, more }: SolutionFiles, progress: (share: number) => void): Promise<void> {
+async function fetchFiles(
+  { folder, name, more, advice }: SolutionFiles,
+  progress: (share: number) => void,
+): Promise<void> {
   const large = [
     `${name}_solution_simd_wasm_bin.wasm`,
     `${name}_solution_packed_assets.data`,
@@ -67,7 +76,7 @@ async function fetchFiles({ folder, name, more }: SolutionFiles, progress: (shar
   ];
   const answers = await Promise.all([...large, ...more].map((file) => fetch(folder + file)));
   const missing = answers.find((answer) => !answer.ok);
-  if (missing) throw new Error(`the server has no ${missing.url} (${missing.status}); build the pages again: make web`);
+  if (missing) throw new Error(`the server has no ${missing.url} (${missing.status}); ${advice ?? BUILD_AGAIN}`);
   const total = answers.reduce((sum, answer) => sum + Number(answer.headers.get("Content-Length") ?? 0), 0);
   let done = 0;
   const read = async (reader: ReadableStreamDefaultReader<Uint8Array>): Promise<void> => {

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from omote.inputs.camera.body_points import holds_body
 from omote.inputs.camera.performer_calibration import PerformerCalibration
 from omote.inputs.performers import camera_messages as wire
+from omote.inputs.performers.body_input import BodyInput
 from omote.inputs.performers.camera_performer import CalibrationFit, CameraPerformer
 from omote.inputs.performers.hand_input import HandInput
 from omote.inputs.performers.performer_list import PerformerList, check_performer_name
@@ -54,12 +56,13 @@ MOST_LEFT = 4
 
 
 class CameraInput:
-    """All performers before cameras. session: the show that plays; performers: those of the show file; hands: what
-    their hands play; heard: frames of landmarks."""
+    """All performers before cameras. session: the show that plays; performers: those of the show file; hands, bodies:
+    what their hands and bodies play; heard: frames of landmarks."""
 
     def __init__(self, session: Callable[[], ShowSession], performers: PerformerList) -> None:
         self.trackers = TrackerInput(CAMERA, session)
         self.hands = HandInput(session)
+        self.bodies = BodyInput(session, self.trackers)
         self.performers = performers
         self._session = session
         self._links: dict[str, CameraPerformer] = {}
@@ -99,19 +102,26 @@ class CameraInput:
             return
         self.trackers.end("", performer.name)
         self.hands.end(performer.name)
+        self.bodies.end(performer.name)
         if performer.redoable:
             self._left[performer.name] = performer
             while len(self._left) > MOST_LEFT:
                 del self._left[next(iter(self._left))]
 
-    def receive(self, link: str, data: bytes) -> None:
-        """Takes a frame of landmarks, for the next tick; one of a link without a performer is dropped.
+    def receive(self, link: str, data: bytes, now: float = 0.0) -> str:
+        """Takes a frame of landmarks or of a body, for the next tick; one of a link without a performer is dropped.
+        Returns why a body was not read, "" where it was; of landmarks `play` says it.
 
-        data: the page's packet.
+        data: the page's packet; now: seconds of the show's clock.
         """
-        if (performer := self._links.get(link)) is not None:
-            self.heard += 1
-            performer.receive(data)
+        performer = self._links.get(link)
+        if performer is None:
+            return ""
+        if holds_body(data):
+            return self.bodies.receive(performer.name, data, now)
+        self.heard += 1
+        performer.receive(data)
+        return ""
 
     def obey(self, link: str, message: wire.FromCamera) -> str | None:
         """Does what a page asks; returns what `begin` does. ValueError with the reason where it cannot be done.
@@ -130,6 +140,8 @@ class CameraInput:
                 self.hands.receive(performer.name, message)
             case wire.PlayHand():
                 self.hands.choose(performer.name, message)
+            case wire.PlayBody() | wire.RestBody():
+                self.bodies.obey(performer.name, message)
             case wire.BeginGuide() | wire.RedoStep() | wire.CancelGuide() | wire.ContinueGuide() | wire.UseFaces():
                 _guide(performer, message)
             case _:
@@ -148,6 +160,7 @@ class CameraInput:
                 wrong.append((link, str(error)))
         self.trackers.play(now)
         self.hands.play(now)
+        self.bodies.play(now)
         for performer in self._links.values():
             self._route(performer, now)
         return wrong
@@ -194,6 +207,7 @@ class CameraInput:
             undo=self.performers.undo_label,
             weights={name: round(value, 3) for name, value in performer.weights.items()},
             hand=self.hands.choice(performer.name),
+            body=self.bodies.choice(performer.name),
         )
 
     def _load(self, performer: CameraPerformer) -> None:

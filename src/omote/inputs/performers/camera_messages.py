@@ -1,4 +1,5 @@
-"""Every message of the camera page's link (MessagePack); landmarks come beside them (`camera/landmark_frame.py`).
+"""Every message of the camera page's link (MessagePack); landmarks and bodies come beside them
+(`camera/landmark_frame.py`, `camera/body_points.py`).
 
 `tools/messages.py` writes them in TypeScript.
 """
@@ -14,7 +15,7 @@ from omote.perform.layers.layer_names import LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.show.declaration import Message
 
-CAMERA_VERSION = 2
+CAMERA_VERSION = 3
 CAMERA_PATH = "/camera/link"
 LONGEST_MESSAGE = 8192
 MOST_HAND_CHANNELS = 64
@@ -56,6 +57,17 @@ class PlayHand(Message, frozen=True):
 
     characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
     regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)]
+
+
+class PlayBody(Message, frozen=True):
+    """Chooses the characters whose figure this performer's body plays: arms, shoulders and trunk, as far as they are
+    seen."""
+
+    characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
+
+
+class RestBody(Message, frozen=True):
+    """Takes the next two seconds as how the performer's body is at rest."""
 
 
 class BeginGuide(Message, frozen=True):
@@ -114,6 +126,16 @@ class HandChoice(msgspec.Struct, frozen=True):
     pads: list[str]
 
 
+class BodyChoice(msgspec.Struct, frozen=True):
+    """What the performer's body plays. known: whether it is known how it is at rest; heard: frames of it so far;
+    shares: how much of each region is tracked now, 0..1."""
+
+    characters: list[CharacterChoice]
+    known: bool
+    heard: int
+    shares: dict[str, float]
+
+
 class GuideStep(msgspec.Struct, frozen=True):
     """The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made."""
 
@@ -132,7 +154,8 @@ class CameraStatus(Message, frozen=True):
     `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
     `unrest`: what the face that was taken as at rest does, in a sentence, "" where it rests; `unused`: whether faces
     were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo takes back, "" for
-    nothing; `weights`: what the face is read as; `hand`: what the performer's hand plays."""
+    nothing; `weights`: what the face is read as; `hand`, `body`: what the performer's hand and body
+    play."""
 
     performer: str
     performers: list[str]
@@ -149,6 +172,7 @@ class CameraStatus(Message, frozen=True):
     undo: str
     weights: dict[str, float]
     hand: HandChoice
+    body: BodyChoice
 
 
 class CameraRefused(Message, frozen=True):
@@ -163,7 +187,19 @@ class Displaced(Message, frozen=True):
 
 Guide = BeginGuide | RedoStep | CancelGuide | ContinueGuide | UseFaces
 """What is asked of the guided minute."""
-FromCamera = Perform | PlayCharacters | HandFrame | PlayHand | Guide | RenamePerformer | DeletePerformer | UndoPerformer
+BodyMessage = PlayBody | RestBody
+"""What is asked of a body."""
+FromCamera = (
+    Perform
+    | PlayCharacters
+    | HandFrame
+    | PlayHand
+    | BodyMessage
+    | Guide
+    | RenamePerformer
+    | DeletePerformer
+    | UndoPerformer
+)
 ToCamera = CameraStatus | CameraRefused | Displaced
 CAMERA_MESSAGES: tuple[type[Message], ...] = FromCamera.__args__
 CAMERA_ANSWERS: tuple[type[Message], ...] = ToCamera.__args__

@@ -19,12 +19,14 @@ class BodyBones:
     """What a sender says of a body. turns: by VRM's name, quaternions x, y, z, w against the parent from the T-pose,
     along our axes, without neck and head, which turn as the head does; hips: where they are above the sender's floor,
     metres, None where it says no place; leg: the length of its legs, metres, 0 where it does not say that; head:
-    whether it says where its head is."""
+    whether it says where its head is; seen: the regions that it sees now, where it says so; else those count that have
+    moved."""
 
     turns: Mapping[str, Quaternion]
     hips: tuple[float, float, float] | None = None
     leg: float = 0.0
     head: bool = False
+    seen: frozenset[PoseRegion] | None = None
 
 
 def region_of(bone: str) -> PoseRegion:

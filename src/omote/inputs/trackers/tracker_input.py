@@ -232,9 +232,12 @@ class TrackerInput:
             face.head = limit_head(frame.head)
             face.turns = face.turns or any(face.head)
         if frame.bones is not None:
-            face.first = {**frame.bones.turns, **face.first}
             face.bones = frame.bones
-            face.seen |= moved_regions(face.first, frame.bones.turns) - face.seen
+            if frame.bones.seen is not None:
+                face.seen = set(frame.bones.seen)
+            else:
+                face.first = {**frame.bones.turns, **face.first}
+                face.seen |= moved_regions(face.first, frame.bones.turns) - face.seen
         if frame.gaze is not None:
             face.gaze = limit_gaze(frame.gaze)
             face.looks = face.looks or any(face.gaze)

@@ -24,8 +24,8 @@ from omote.server.links.links import HEARTBEAT, SENDER_BURST, SENDER_RATE, Links
 from omote.show.session import ShowSession
 from omote.show.wire import encode, message_in
 
-LANDMARKS_BEGIN = b"OMLM"
-"""How a frame of landmarks begins; no message begins so."""
+FRAMES_BEGIN = b"OMLM", b"OMBL"
+"""How frames of landmarks and of bodies begin; no message begins so."""
 TOLD_SECONDS = 0.1
 _from_camera: msgspec.msgpack.Decoder[wire.FromCamera] = msgspec.msgpack.Decoder(wire.FromCamera)
 
@@ -80,20 +80,27 @@ class CameraLinks(DeviceSource):
             task.add_done_callback(self._tasks.discard)
         self._log.note_new(self.cameras.trackers)
         self._log.note_new(self.cameras.hands.trackers)
+        self._log.note_new(self.cameras.bodies.trackers)
         self._log.tell(now)
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of it."""
-        return [self._count, self._count_hands] if self.cameras.hands.heard else [self._count]
+        beside = [
+            lambda each=each: replace(count_tracker(each.trackers, each.trackers.protocol.advice), heard=each.heard)
+            for each in (self.cameras.hands, self.cameras.bodies)
+            if each.heard
+        ]
+        return [self._count, *beside]
 
     async def close(self) -> None:
         """Ends all links."""
         await self.links.close_all()
 
     async def _hear(self, link: str, data: bytes) -> None:
-        if data.startswith(LANDMARKS_BEGIN):
-            self.cameras.receive(link, data)
+        if data.startswith(FRAMES_BEGIN):
+            if reason := self.cameras.receive(link, data, self._clock()):
+                self._answer(link, wire.CameraRefused(f"a frame was not read: {reason}"))
             return
         try:
             displaced = self.cameras.obey(link, message_in(data, _from_camera, wire.LONGEST_MESSAGE))
@@ -128,7 +135,3 @@ class CameraLinks(DeviceSource):
         place = self._outside()
         advice = advise(trackers.protocol, place, None) if place else CAMERA_HERE
         return replace(count_tracker(trackers, advice), heard=self.cameras.heard)
-
-    def _count_hands(self) -> SourceCounts:
-        hands = self.cameras.hands
-        return replace(count_tracker(hands.trackers, hands.trackers.protocol.advice), heard=hands.heard)

@@ -64,7 +64,7 @@ afterEach(() => {
 it("says who performs, also when it comes back, by the name that it has then", () => {
   link.perform("Ada");
   last().open();
-  expect(decode(last().sent[0] as Uint8Array)).toEqual({ type: "perform", version: 2, name: "Ada" });
+  expect(decode(last().sent[0] as Uint8Array)).toEqual({ type: "perform", version: 3, name: "Ada" });
   last().say({ type: "camera_status", performer: "Ada" });
   link.rename("Bo");
   last().onclose?.({ code: 1006 });

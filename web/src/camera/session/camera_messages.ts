@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/inputs/performers/camera_messages.py. Do not edit: run `python tools/messages.py`.
 
-export const CAMERA_VERSION = 2;
+export const CAMERA_VERSION = 3;
 export const CAMERA_PATH = "/camera/link";
 
 /** Says who performs before this camera: the first message of a link, and again for another performer. */
@@ -31,6 +31,15 @@ export type PlayHand = {
   characters: string[];
   regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
 };
+
+/**
+ * Chooses the characters whose figure this performer's body plays: arms, shoulders and trunk, as far as they are
+ * seen.
+ */
+export type PlayBody = { type: "play_body"; characters: string[] };
+
+/** Takes the next two seconds as how the performer's body is at rest. */
+export type RestBody = { type: "rest_body" };
 
 /** Begins the guided minute, or with `rest` only a moment of the face at rest. */
 export type BeginGuide = { type: "begin_guide"; rest?: boolean };
@@ -70,6 +79,17 @@ export type HandChoice = {
   pads: string[];
 };
 
+/**
+ * What the performer's body plays. known: whether it is known how it is at rest; heard: frames of it so far;
+ * shares: how much of each region is tracked now, 0..1.
+ */
+export type BodyChoice = {
+  characters: CharacterChoice[];
+  known: boolean;
+  heard: number;
+  shares: Record<string, number>;
+};
+
 /** The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made. */
 export type GuideStep = {
   step: string;
@@ -87,7 +107,8 @@ export type GuideStep = {
  * `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
  * `unrest`: what the face that was taken as at rest does, in a sentence, "" where it rests; `unused`: whether faces
  * were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo takes back, "" for
- * nothing; `weights`: what the face is read as; `hand`: what the performer's hand plays.
+ * nothing; `weights`: what the face is read as; `hand`, `body`: what the performer's hand and body
+ * play.
  */
 export type CameraStatus = {
   type: "camera_status";
@@ -106,6 +127,7 @@ export type CameraStatus = {
   undo: string;
   weights: Record<string, number>;
   hand: HandChoice;
+  body: BodyChoice;
 };
 
 /** Why something was not done. */
@@ -119,6 +141,8 @@ export type FromCamera =
   | PlayCharacters
   | HandFrame
   | PlayHand
+  | PlayBody
+  | RestBody
   | BeginGuide
   | RedoStep
   | CancelGuide

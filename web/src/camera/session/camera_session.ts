@@ -1,5 +1,7 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
+import type { BodyWorker } from "../../body/body_client";
+import type { Body } from "../../body/body_messages";
 import { type HealthLine, judgeFace, Rate } from "../../face_mesh/face_health";
 import { LandmarkClient, type Messenger, type ModelState } from "../../face_mesh/landmark_client";
 import type { Landmarks } from "../../face_mesh/landmark_messages";
@@ -7,18 +9,20 @@ import type { HandWorker } from "../../hands/hand_client";
 import type { Hands } from "../../hands/hand_messages";
 import { CAMERA_KEY, type CameraDevice, CameraStream, type CameraTrouble } from "../../webcam/camera_stream";
 import { takePictures } from "../../webcam/picture_stream";
+import { BodySession } from "./body_session";
 import { CameraLink } from "./camera_link";
 import type { CameraStatus, FromCamera } from "./camera_messages";
 import { HandSession } from "./hand_session";
 import { writeLandmarkFrame } from "./landmark_frame";
 
 /** What the camera is looked at for. */
-export type Tracked = "face" | "hand" | "both";
+export type Tracked = "face" | "hand" | "both" | "body";
 
 /** What draws over the picture. */
 export interface Drawing {
   face(landmarks: Landmarks): void;
   hands(hands: Hands, playing: number): void;
+  body(body: Body): void;
 }
 
 /** The workers of the models, and the pictures that they warm up with. */
@@ -27,6 +31,8 @@ export interface Models {
   facePicture(): Promise<ImageBitmap>;
   openHand(): HandWorker;
   handPicture(): Promise<ImageBitmap>;
+  openBody(): BodyWorker;
+  bodyPicture(): Promise<ImageBitmap>;
 }
 
 /** The state of the page; `changed` is called with each change of what is shown as words. */
@@ -42,6 +48,7 @@ export class CameraSession {
   /** What the show said no to last, until it is dismissed or something is accepted. */
   notice = "";
   readonly hand: HandSession;
+  readonly body: BodySession;
   #faceStarted = false;
   readonly video = document.createElement("video");
   #endPictures: () => void = () => undefined;
@@ -87,24 +94,52 @@ export class CameraSession {
       changed,
       drawn: (hands, playing) => drawing.hands(hands, playing),
     });
+    this.body = new BodySession({
+      openWorker: () => models.openBody(),
+      picture: () => models.bodyPicture(),
+      sendFrame: (frame) => this.#link.sendFrame(frame),
+      changed,
+      drawn: (body) => drawing.body(body),
+    });
   }
 
   /** What the camera is looked at for. */
   get tracked(): Tracked {
     const kept = this.storage.getItem(TRACKED_KEY);
-    return kept === "hand" || kept === "both" ? kept : "face";
+    return kept === "hand" || kept === "both" || kept === "body" ? kept : "face";
   }
 
-  /** Looks at the camera for a face, a hand or both from now on. */
+  get tracksFace(): boolean {
+    return this.tracked === "face" || this.tracked === "both";
+  }
+
+  get tracksHand(): boolean {
+    return this.tracked === "hand" || this.tracked === "both";
+  }
+
+  /** Whether a body is looked for: alone, or beside what else is. */
+  get tracksBody(): boolean {
+    return this.tracked === "body" || this.storage.getItem(BODY_KEY) === "beside";
+  }
+
+  /** Looks at the camera for a face, a hand, both or a body alone from now on. */
   track(tracked: Tracked): void {
     this.storage.setItem(TRACKED_KEY, tracked);
     this.#useModels();
     this.#set({ health: [] });
   }
 
+  /** Looks for a body beside what else is tracked, or no more. */
+  trackBody(on: boolean): void {
+    this.storage.setItem(BODY_KEY, on ? "beside" : "");
+    this.#useModels();
+    this.changed();
+  }
+
   #useModels(): void {
-    this.hand.use(this.tracked !== "face");
-    if (this.tracked === "hand" || this.#faceStarted) return;
+    this.hand.use(this.tracksHand);
+    this.body.use(this.tracksBody);
+    if (!this.tracksFace || this.#faceStarted) return;
     this.#faceStarted = true;
     void this.models.facePicture().then((face) => this.#client.start(face));
   }
@@ -118,6 +153,7 @@ export class CameraSession {
   get noPicture(): string {
     if (this.trouble !== null) return this.trouble.title;
     if (this.tracked === "hand") return this.noHand;
+    if (this.tracked === "body") return this.noBody;
     if (this.model.kind === "failed") return "The face model does not run here";
     if (this.model.kind === "loading") return "The face model is loading";
     return this.health.length === 0 ? "No picture has come yet" : "";
@@ -129,6 +165,14 @@ export class CameraSession {
     if (this.hand.model?.kind === "failed") return "The hand model does not run here";
     if (this.hand.model?.kind !== "ready") return "The hand model is loading";
     return this.hand.reading === null ? "No picture has come yet" : "";
+  }
+
+  /** Why no body is read; "" where it is. */
+  get noBody(): string {
+    if (this.trouble !== null) return this.trouble.title;
+    if (this.body.model?.kind === "failed") return "The body model does not run here";
+    if (this.body.model?.kind !== "ready") return "The body model is loading";
+    return this.body.seen === null ? "No picture has come yet" : "";
   }
 
   /** Loads the models, asks for the camera and greets the show; who has no name has `fallbackName` at once. */
@@ -190,7 +234,7 @@ export class CameraSession {
 
   /** Has a picture looked at, where the worker is free: the newest counts. */
   async #look(grab: () => Promise<ImageBitmap | null>, time: number): Promise<void> {
-    const wanted = [this.tracked !== "hand" ? this.#client : null, this.hand];
+    const wanted = [this.tracksFace ? this.#client : null, this.hand, this.body];
     for (const model of wanted) {
       const picture = model?.free ? await grab() : null;
       if (picture !== null) model?.look(picture, time);
@@ -235,5 +279,6 @@ const WISH = {
 };
 const STOPPED = "The guided minute is stopped: no face was made, so nothing is kept and nothing has changed.";
 const TRACKED_KEY = "omote.camera.tracked";
+const BODY_KEY = "omote.camera.body";
 const NAME_KEY = "omote.performer";
 const HEALTH_MS = 400;
