@@ -10,7 +10,9 @@ import numpy as np
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.model.space.expression import Expression
+from omote.perform.clips.body_columns import BodyReader
 from omote.perform.clips.clip import Clip
+from omote.perform.clips.clip_parts import BODY
 from omote.perform.clips.clip_runs import (
     MOST_RUNS,
     ClipRun,
@@ -20,10 +22,10 @@ from omote.perform.clips.clip_runs import (
     sound_of_run,
     stopped,
 )
-from omote.perform.clips.sample import CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, PLACES, Layout, Sample
+from omote.perform.clips.sample import CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, Layout, Sample
 from omote.perform.frame import ClipStatus, Gaze, Head, with_fields
 from omote.perform.layers.layer_mix import CLIP_LAYER, NO_MIXES, Mixes
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerName, LayerPart
 from omote.perform.layers.source_frame import CLIP, SourceFrame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.mix import HIGHEST, LOWEST
@@ -58,7 +60,7 @@ class WornLayout:
     def frame(self, sample: Sample, parts: tuple[LayerPart, ...]) -> SourceFrame:
         """The frame of channels, head and gaze. sample: of this layout; parts: those that it may play."""
         values = sample.values
-        shares = np.clip(sample.shares, 0.0, 1.0).tolist()
+        shares = np.clip(sample.shares[: WHOLE + 1], 0.0, 1.0).tolist()
         head = None
         if self.head:
             head = Head(
@@ -145,7 +147,7 @@ class ClipPlaying(PadPlaying):
         loop : bool, optional
             Whether it begins again at its end; as the clip says without it.
         weights : mapping of float, optional
-            How much of it shows in brows, eyes, mouth, rest, head and gaze, 0 to 1; what is not named is left alone.
+            How much of it shows in brows, eyes, mouth, rest, head, gaze and body, 0 to 1; what is not named is left alone.
             All of it without them.
         pace : float, optional
             As of `Scene.call_goal`.
@@ -308,7 +310,7 @@ class ClipPlaying(PadPlaying):
             self.drive_layer(CLIP_LAYER, frame)
             return
         if self._played is not None:  # nothing of it shows from now on, even of one that was cut
-            self.drive_layer(CLIP_LAYER, replace(self._played, part_shares=(0.0,) * PLACES))
+            self.drive_layer(CLIP_LAYER, replace(self._played, part_shares=(0.0,) * (WHOLE + 1)))
         self.leave_layer(CLIP_LAYER, CLIP)
         self._forget_clips()
 
