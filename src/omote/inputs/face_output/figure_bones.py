@@ -4,41 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-from scipy.spatial.transform import Rotation
-
-from omote.arrays import Points
+from omote.arrays import Floats
 from omote.inputs.trackers.head_angles import BoneTurn
-from omote.interchange.avatar.humanoid_figure import humanoid_bones
+from omote.interchange.avatar.humanoid_pose import HIPS, humanoid_pose, rest_humanoid
 from omote.interchange.avatar.vrm0_extension import THUMBS
-from omote.interchange.figures.t_pose import pose_t
 from omote.model.body.figures import Figures
 from omote.model.body.pose import Pose
 from omote.model.body.pose_regions import region_bones
 from omote.perform.figures.evaluate_figure import turned_pose
-from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure
 from omote.perform.figures.pose_mix import mix_poses
 from omote.perform.frame import Head
 from omote.show.objects.state import CharacterState
-
-HIPS = "Hips"
 
 
 class FigureBones:
     """Turns what is called of a figure into the bones of a humanoid, on one body: angles fit all bodies."""
 
-    def __init__(self, figures: Figures, head: Points) -> None:
+    def __init__(self, figures: Figures, head: Floats) -> None:
         """figures: of the cast; head (V, 3): a face at rest, metres, which its body hangs below."""
-        body = next(iter(figures.bodies.values()))
-        self._figures = figures
+        body = next(iter(figures.bodies))
+        self._rest = rest_humanoid(figures, {body: 1.0}, {body: head})
+        self._ahead = self._rest.places[0] * [1.0, 0.0, 1.0]
         self._skeleton = figures.space.skeleton
         self._regions = region_bones(self._skeleton)
-        self._resting = resting_figure(figures, {body.name: 1.0}, head)
-        rest = pose_t(self._skeleton, self._resting, body.ends + (self._resting.joints[0] - body.joints[0]))
-        self._back = np.swapaxes(rest.turns, 1, 2)
-        places = {unity_name(name): self._skeleton.places[bone] for name, bone in humanoid_bones().items()}
-        self._bones = {name: (place, self._parent_of(place, set(places.values()))) for name, place in places.items()}
-        self._floor = float(skin_figure(figures.space, self._resting, rest)[:, 1].min())
 
     def turns(self, character: CharacterState, poses: Mapping[str, Pose]) -> dict[str, BoneTurn]:
         """Every bone by Unity's name for it; none while nothing is called of the figure.
@@ -49,24 +37,12 @@ class FigureBones:
         if called is None:
             return {}
         mixed = mix_poses(poses, called.poses, called.regions, self._regions, character.idle)
-        turned = turned_pose(self._skeleton, mixed, Head(*character.head))
-        posed = pose_figure(self._figures.space, self._resting, turned)
-        world = posed.turns @ self._back
-        own = [world[place] if parent < 0 else world[parent].T @ world[place] for place, parent in self._bones.values()]
-        hips = posed.joints[0]
-        places = {HIPS: (float(hips[0]), float(hips[1]) - self._floor, float(hips[2] - self._resting.joints[0, 2]))}
-        quaternions = Rotation.from_matrix(np.stack(own)).as_quat().tolist()
+        told = humanoid_pose(self._rest, turned_pose(self._skeleton, mixed, Head(*character.head)))
+        x, y, z = (told.places[0] - self._ahead).tolist()
         return {
-            name: BoneTurn(places.get(name, (0.0, 0.0, 0.0)), (x, y, z, w))
-            for name, (x, y, z, w) in zip(self._bones, quaternions, strict=True)
+            unity_name(name): BoneTurn((x, y, z) if name == HIPS else (0.0, 0.0, 0.0), (qx, qy, qz, qw))
+            for name, (qx, qy, qz, qw) in zip(told.names, told.turns.tolist(), strict=True)
         }
-
-    def _parent_of(self, bone: int, known: set[int]) -> int:
-        """The nearest bone above it that the humanoid has; -1 for none."""
-        above = int(self._skeleton.parents[bone])
-        while above >= 0 and above not in known:
-            above = int(self._skeleton.parents[above])
-        return above
 
 
 def unity_name(bone: str) -> str:

@@ -55,8 +55,8 @@ def hanging(outward: float, forward: float, side: str) -> Values:
 def _hang_arm(skeleton: Skeleton, joints: Points, side: str, turns: Values) -> None:
     """Turns the bones of an arm: elbows bend about one axis on all bodies, and hands lie as all hands do."""
     at = {name: joints[skeleton.places[f"{name}.{side}"]] for name in ("upperarm01", "lowerarm01", "wrist")}
-    upper = _unit(at["lowerarm01"] - at["upperarm01"])
-    fore = _unit(at["wrist"] - at["lowerarm01"])
+    upper = unit(at["lowerarm01"] - at["upperarm01"])
+    fore = unit(at["wrist"] - at["lowerarm01"])
     down = hanging(*UPPER_ARM, side)
     arm = frame(down, [-1.0, 0.0, 0.0]) @ frame(upper, np.cross(upper, fore)).T
     forearm = shortest_turn(arm @ fore, hanging(*FOREARM, side)) @ arm
@@ -64,7 +64,7 @@ def _hang_arm(skeleton: Skeleton, joints: Points, side: str, turns: Values) -> N
     inward = math.radians(PALM)
     thumb = np.array([-OUT[side] * math.sin(inward), 0.0, math.cos(inward)])
     palm = frame(hanging(*HAND, side), thumb) @ hand.T
-    twist = _twist_about(palm @ forearm.T, forearm @ fore)
+    twist = twist_about(palm @ forearm.T, forearm @ fore)
     _set(skeleton, turns, side, ("upperarm01", "upperarm02"), arm)
     for name, share in TWIST.items():
         turned = Rotation.from_rotvec(share * twist * (forearm @ fore)).as_matrix() @ forearm
@@ -80,14 +80,14 @@ def _hand_frame(skeleton: Skeleton, joints: Points, side: str) -> Values:
     wrist, middle, index, little = (
         joints[skeleton.places[f"{name}.{side}"]] for name in ("wrist", "finger3-1", "finger2-1", "finger5-1")
     )
-    return frame(_unit(middle - wrist), index - little)
+    return frame(unit(middle - wrist), index - little)
 
 
 def _straighten_leg(skeleton: Skeleton, joints: Points, ends: Points, side: str, turns: Values) -> None:
     """Turns the bones of a leg: thigh and shin straight below the hip, the foot flat, as it was modelled."""
     hip, knee, ankle = (joints[skeleton.places[f"{name}.{side}"]] for name in ("upperleg01", "lowerleg01", "foot"))
-    thigh = shortest_turn(_unit(knee - hip), hanging(0.0, KNEE, side))
-    shin = shortest_turn(thigh @ _unit(ankle - knee), hanging(0.0, -KNEE, side)) @ thigh
+    thigh = shortest_turn(unit(knee - hip), hanging(0.0, KNEE, side))
+    shin = shortest_turn(thigh @ unit(ankle - knee), hanging(0.0, -KNEE, side)) @ thigh
     _set(skeleton, turns, side, ("upperleg01", "upperleg02"), thigh)
     _set(skeleton, turns, side, ("lowerleg01", "lowerleg02"), shin)
     ahead = ends[skeleton.places[f"toes.{side}"]] - ankle
@@ -102,7 +102,7 @@ def _set(skeleton: Skeleton, turns: Values, side: str, names: tuple[str, ...], t
 def frame(along: Values, about: Values | list[float]) -> Values:
     """A frame (3, 3): its columns are the direction along, the part of `about` that stands on it, and their product."""
     way = np.asarray(about, np.float64)
-    square = _unit(way - along * (way @ along))
+    square = unit(way - along * (way @ along))
     return np.stack([along, square, np.cross(along, square)], axis=1)
 
 
@@ -117,11 +117,15 @@ def shortest_turn(before: Values, after: Values) -> Values:
     return np.asarray(Rotation.from_rotvec(axis / sine * angle).as_matrix())
 
 
-def _twist_about(turn: Values, axis: Values) -> float:
-    """The angle of a rotation (3, 3) about a direction (3,), radians: what is left when its swing is taken off."""
+def twist_about(turn: Values, axis: Values) -> float:
+    """How far a rotation turns about a direction, radians: what is left when its swing is taken off.
+
+    turn (3, 3): the rotation; axis (3,): the direction.
+    """
     x, y, z, w = Rotation.from_matrix(turn).as_quat()
     return 2.0 * math.atan2(float(np.dot([x, y, z], axis)), float(w))
 
 
-def _unit(way: Values) -> Values:
+def unit(way: Values) -> Values:
+    """A direction of length one."""
     return np.asarray(way / np.linalg.norm(way))
