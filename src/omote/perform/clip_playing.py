@@ -10,9 +10,7 @@ import numpy as np
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.model.space.expression import Expression
-from omote.perform.clips.body_columns import BodyReader
 from omote.perform.clips.clip import Clip
-from omote.perform.clips.clip_parts import BODY
 from omote.perform.clips.clip_runs import (
     MOST_RUNS,
     ClipRun,
@@ -147,8 +145,8 @@ class ClipPlaying(PadPlaying):
         loop : bool, optional
             Whether it begins again at its end; as the clip says without it.
         weights : mapping of float, optional
-            How much of it shows in brows, eyes, mouth, rest, head, gaze and body, 0 to 1; what is not named is left alone.
-            All of it without them.
+            How much of it shows in brows, eyes, mouth, rest, head, gaze and body, 0 to 1; what is not named is left
+            alone. All of it without them.
         pace : float, optional
             As of `Scene.call_goal`.
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from omote.arrays import Points
 from omote.interchange.avatar.humanoid_pose import HumanoidRest, humanoid_pose
 from omote.interchange.clips.clip_frames import ClipFrames
 from omote.interchange.clips.humanoid_motion import HIPS, HumanoidMotion, check_size
@@ -15,6 +16,24 @@ from omote.perform.clips.clip_parts import BODY
 from omote.perform.figures.evaluate_figure import turned_pose
 from omote.perform.figures.pose_mix import MixedPose
 from omote.perform.frame import Head
+
+
+@dataclass(frozen=True, eq=False)
+class AnimatedBody:
+    """motion: what the bones do; places (b, 3): where each begins in T-pose, from its parent, of the hips above the
+    floor, metres; leg: the length of one, metres."""
+
+    motion: HumanoidMotion
+    places: Points
+    leg: float
+
+
+def animated_body(clip: Clip, frames: ClipFrames, rest: HumanoidRest) -> AnimatedBody:
+    """The motion of a clip with the figure that wears it; parameters and errors as of `motion_of_clip`.
+
+    clip, frames, rest: as of `motion_of_clip`.
+    """
+    return AnimatedBody(motion_of_clip(clip, frames, rest), rest.places, rest.leg)
 
 
 def motion_of_clip(clip: Clip, frames: ClipFrames, rest: HumanoidRest) -> HumanoidMotion:

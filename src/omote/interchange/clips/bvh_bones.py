@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from omote.interchange.clips.bvh_reader import BvhJoint
 from omote.interchange.clips.humanoid_motion import HIPS, LEGS
@@ -110,7 +111,9 @@ def _trunk(joints: Sequence[BvhJoint], named: Sequence[tuple[str, str]], found: 
     """The spine from the hips to where arms hang, or to the neck; the neck and the head."""
     trunk: dict[str, int] = {}
     head = next((place for place, (side, key) in enumerate(named) if not side and key == "head"), None)
-    neck = next((place for place, (side, key) in enumerate(named) if not side and key.rstrip("0123456789") == "neck"), None)
+    neck = next(
+        (place for place, (side, key) in enumerate(named) if not side and key.rstrip("0123456789") == "neck"), None
+    )
     if head is None and neck is None:
         return trunk
     top = head if head is not None else neck
@@ -162,9 +165,11 @@ def _check_chain(joints: Sequence[BvhJoint], found: dict[str, int], side: str) -
     leg = [f"{side}{name}" for name in ("UpperLeg", "LowerLeg", "Foot", "Toes")]
     for chain in (arm, leg):
         there = [bone for bone in chain if bone in found]
-        for above, below in zip(there, there[1:], strict=False):
+        for above, below in pairwise(there):
             if found[above] not in _ancestors(joints, found[below]):
-                raise ValueError(f"the {below} of the file does not hang on its {above}; export the skeleton as one tree")
+                raise ValueError(
+                    f"the {below} of the file does not hang on its {above}; export the skeleton as one tree"
+                )
         for bone in there:
             if found[HIPS] not in _ancestors(joints, found[bone]):
                 raise ValueError(f"the {bone} of the file does not hang on its hips; export the skeleton as one tree")

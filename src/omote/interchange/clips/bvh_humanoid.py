@@ -59,7 +59,7 @@ def bvh_motion(data: bytes) -> HumanoidMotion:
     }
     names, turns = turns_of_worlds(told)
     hips, notes = _hips(file, worlds, bones, rest, axes, t_pose)
-    times = np.arange(len(file.table)) * file.step
+    times: Values = np.arange(len(file.table), dtype=np.float64) * file.step
     return HumanoidMotion(times, names, turns, hips, notes=(*file.notes, *notes))
 
 
@@ -73,9 +73,7 @@ def _rest_places(joints: Sequence[BvhJoint]) -> Points:
 
 def _axes(rest: Points, bones: Mapping[str, int]) -> Values:
     """The rotation (3, 3) by quarter turns that brings up along y and left along x."""
-    thighs, feet = (
-        (rest[bones[f"left{name}"]], rest[bones[f"right{name}"]]) for name in ("UpperLeg", "Foot")
-    )
+    thighs, feet = ((rest[bones[f"left{name}"]], rest[bones[f"right{name}"]]) for name in ("UpperLeg", "Foot"))
     middle = 0.5 * (thighs[0] + thighs[1])
     tops = [bone for bone in ("head", "neck", "upperChest", "chest", "spine") if bone in bones]
     down = 0.5 * (feet[0] + feet[1]) - middle
@@ -170,14 +168,14 @@ def _ahead(way: Points | None) -> Values:
     that it is the shape of the foot: ankles lie inside of the toes."""
     if way is None or math.hypot(way[0], way[2]) < 0.1 or abs(math.atan2(way[0], way[2])) < TOES_ASIDE:
         return np.eye(3)
-    return Rotation.from_rotvec([0.0, -math.atan2(way[0], way[2]), 0.0]).as_matrix()
+    return np.asarray(Rotation.from_rotvec([0.0, -math.atan2(way[0], way[2]), 0.0]).as_matrix())
 
 
 def _hips(
     file: BvhFile, worlds: Sequence[Rotation], bones: Mapping[str, int], rest: Points, axes: Values,
     t_pose: Mapping[str, Values],
 ) -> tuple[Values, tuple[str, ...]]:  # fmt: skip
-    """Where the hips are in each frame from where they are in the T-pose, leg lengths (n, 3); and what is said of it."""
+    """Where the hips are in each frame from where the T-pose has them, leg lengths (n, 3); and what is said of it."""
     joints = file.joints
     leg, ground = _legs(joints, bones, rest @ axes.T, t_pose)
     feet = [
@@ -242,7 +240,9 @@ def _hips_places(file: BvhFile, worlds: Sequence[Rotation], chain: Sequence[int]
     for place in chain:
         joint = file.joints[place]
         above = worlds[joint.parent] if joint.parent >= 0 else Rotation.identity(len(told))
-        columns = [(at, _AXES[name[0]]) for at, name in enumerate(joint.channels, joint.first) if name.endswith("position")]
+        columns = [
+            (at, _AXES[name[0]]) for at, name in enumerate(joint.channels, joint.first) if name.endswith("position")
+        ]
         own = np.zeros_like(told)
         for column, axis in columns:
             own[:, axis] = file.table[:, column]

@@ -10,7 +10,7 @@ import math
 import re
 import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,9 +30,7 @@ SLOWEST_STEP = 1.0
 FASTEST_STEP = 1.0 / 1000.0
 """Seconds between frames."""
 _CHANNEL = re.compile(r"[XYZ](rotation|position)", re.IGNORECASE)
-_MOTION = re.compile(
-    r"^\s*MOTION\s+Frames:\s*(\S+)\s+Frame\s+Time:\s*(\S+)", re.IGNORECASE | re.MULTILINE
-)
+_MOTION = re.compile(r"^\s*MOTION\s+Frames:\s*(\S+)\s+Frame\s+Time:\s*(\S+)", re.IGNORECASE | re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -118,44 +116,68 @@ def _read_table(text: str, columns: int, declared: int) -> Values:
 
 def _read_joints(text: str) -> tuple[BvhJoint, ...]:
     """The joints of the hierarchy; those that move at all have channels."""
-    joints: list[BvhJoint] = []
-    open_joints: list[int] = []
-    begun: int | None = None
-    words = iter(text.split()[1:])
-    column = 0
-    for word in words:
-        what = word.upper()
-        if what in ("ROOT", "JOINT", "END"):
-            if len(joints) >= MOST_JOINTS:
-                raise ValueError(f"the file has more than {MOST_JOINTS} joints; export one person")
-            if what == "ROOT" and joints:
-                raise ValueError("the file has two roots; export each person into a file of its own")
-            name = _next(words)
-            joints.append(BvhJoint("" if what == "END" else name, open_joints[-1] if open_joints else -1, (0.0, 0.0, 0.0)))
-            begun = len(joints) - 1
-        elif what == "{" and begun is not None:
-            open_joints.append(begun)
-            begun = None
-        elif what == "}" and open_joints:
-            open_joints.pop()
-        elif what == "OFFSET" and open_joints:
-            x, y, z = (_number(_next(words), "an offset") for _ in range(3))
-            joints[open_joints[-1]] = _with(joints[open_joints[-1]], offset=(x, y, z))
-        elif what == "CHANNELS" and open_joints:
-            channels = _read_channels(words)
-            joints[open_joints[-1]] = _with(joints[open_joints[-1]], channels=channels, first=column)
-            column += len(channels)
-        elif begun is not None:  # a name of several words
-            joints[begun] = _with(joints[begun], name=f"{joints[begun].name} {word}"[:80]) if joints[begun].name else joints[begun]
-        else:
-            raise ValueError(f"the hierarchy has {word[:40]!r} where none is expected; export it anew")
-    if open_joints or not joints or not column:
+    reader = _Hierarchy(iter(text.split()[1:]))
+    reader.read()
+    if reader.open or not reader.joints or not reader.columns:
         raise ValueError("the hierarchy is cut off, or nothing in it moves; copy or export it anew")
-    return tuple(joints)
+    return tuple(reader.joints)
 
 
-def _with(joint: BvhJoint, **changes: object) -> BvhJoint:
-    return BvhJoint(**{**vars(joint), **changes})  # type: ignore[arg-type]
+class _Hierarchy:
+    """Reads joints word by word. open: those whose braces are not closed yet; begun: one that has a name and no brace;
+    columns: how many numbers a frame has so far."""
+
+    def __init__(self, words: Iterator[str]) -> None:
+        self.joints: list[BvhJoint] = []
+        self.open: list[int] = []
+        self.columns = 0
+        self._words = words
+        self._begun: int | None = None
+
+    def read(self) -> None:
+        """Reads all words."""
+        for word in self._words:
+            what = word.upper()
+            if what in ("ROOT", "JOINT", "END"):
+                self._begin(what)
+            elif what in ("{", "}"):
+                self._brace(what)
+            elif what in ("OFFSET", "CHANNELS") and self.open and self._begun is None:
+                self._tell(what)
+            elif self._begun is not None:  # a name of several words
+                joint = self.joints[self._begun]
+                self.joints[self._begun] = replace(joint, name=joint.name and f"{joint.name} {word}"[:80])
+            else:
+                raise ValueError(f"the hierarchy has {word[:40]!r} where none is expected; export it anew")
+
+    def _begin(self, what: str) -> None:
+        if len(self.joints) >= MOST_JOINTS:
+            raise ValueError(f"the file has more than {MOST_JOINTS} joints; export one person")
+        if not self.open and self.joints:
+            raise ValueError("the file has two roots; export each person into a file of its own")
+        name = _next(self._words)
+        parent = self.open[-1] if self.open else -1
+        self.joints.append(BvhJoint("" if what == "END" else name, parent, (0.0, 0.0, 0.0)))
+        self._begun = len(self.joints) - 1
+
+    def _brace(self, brace: str) -> None:
+        if brace == "{" and self._begun is not None:
+            self.open.append(self._begun)
+            self._begun = None
+        elif brace == "}" and self.open:
+            self.open.pop()
+        else:
+            raise ValueError(f"the hierarchy has {brace!r} where none is expected; export it anew")
+
+    def _tell(self, what: str) -> None:
+        place = self.open[-1]
+        if what == "OFFSET":
+            x, y, z = (_number(_next(self._words), "an offset") for _ in range(3))
+            self.joints[place] = replace(self.joints[place], offset=(x, y, z))
+            return
+        channels = _read_channels(self._words)
+        self.joints[place] = replace(self.joints[place], channels=channels, first=self.columns)
+        self.columns += len(channels)
 
 
 def _read_channels(words: Iterator[str]) -> tuple[str, ...]:
@@ -164,7 +186,9 @@ def _read_channels(words: Iterator[str]) -> tuple[str, ...]:
         raise ValueError(f"a joint has {count[:20]!r} channels; expected {MOST_CHANNELS} at most: export it anew")
     channels = tuple(_next(words) for _ in range(int(count)))
     if not all(_CHANNEL.fullmatch(channel) for channel in channels) or len(set(channels)) != len(channels):
-        raise ValueError(f"a joint has the channels {' '.join(channels)[:120]}; expected places and rotations about X, Y, Z")
+        raise ValueError(
+            f"a joint has the channels {' '.join(channels)[:120]}; expected places and rotations about X, Y, Z"
+        )
     return tuple(channel[0].upper() + channel[1:].lower() for channel in channels)
 
 

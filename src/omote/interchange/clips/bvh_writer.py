@@ -10,8 +10,9 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Points, Values
+from omote.interchange.clips.body_motion import AnimatedBody
 from omote.interchange.clips.clip_frames import ClipFrames
-from omote.interchange.clips.humanoid_motion import HIPS, HumanoidMotion, parent_among
+from omote.interchange.clips.humanoid_motion import HIPS, parent_among
 
 HIERARCHY = """HIERARCHY
 ROOT Head
@@ -43,7 +44,8 @@ CENTIMETRES = 100.0
 ENDS = {
     "head": (0.0, 0.2, 0.0), "Toes": (0.0, 0.0, 0.06), "ThumbDistal": (0.02, 0.0, 0.02), "": (0.02, 0.0, 0.0),
 }  # fmt: skip
-"""Where bones end on which no other hangs, metres from where they begin; along x away from the middle; toes end on the floor."""
+"""Where bones end on which no other hangs, metres from where they begin, x away from the middle; toes end on the
+floor."""
 
 
 def bvh_text(frames: ClipFrames) -> str:
@@ -56,18 +58,18 @@ def bvh_text(frames: ClipFrames) -> str:
     return HIERARCHY + _motion(rows, frames.rate)
 
 
-def humanoid_bvh(motion: HumanoidMotion, places: Points, leg: float, rate: float) -> str:
+def humanoid_bvh(body: AnimatedBody, rate: float) -> str:
     """The text of a whole humanoid, at rest in T-pose on the floor; centimetres, and degrees about y, then x, then z.
 
-    motion: what it does; places (b, 3): where each bone begins at rest, from its parent, of the hips above the floor,
-    metres; leg: the length of one, metres; rate: frames of a second.
+    body: what its bones do, and where they are at rest; rate: frames of a second.
     """
+    motion, places = body.motion, body.places
     text = io.StringIO()
     text.write("HIERARCHY\n")
     order: list[int] = []
     _write_joint(text, motion.names, places * CENTIMETRES, HIPS, 0, order)
     turns = Rotation.from_quat(motion.turns[:, order].reshape(-1, 4)).as_euler("YXZ", degrees=True)
-    hips = (motion.hips * leg + places[motion.names.index(HIPS)] * [0.0, 1.0, 0.0]) * CENTIMETRES
+    hips = (motion.hips * body.leg + places[motion.names.index(HIPS)] * [0.0, 1.0, 0.0]) * CENTIMETRES
     return text.getvalue() + _motion(np.column_stack([hips, turns.reshape(len(hips), -1)]), rate)
 
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from omote.arrays import Floats, Points, Values
+from omote.arrays import Floats, Values
+from omote.interchange.clips.body_motion import AnimatedBody
 from omote.interchange.clips.clip_frames import ClipFrames
 from omote.interchange.clips.clip_names import quaternions_of
-from omote.interchange.clips.humanoid_motion import HIPS, HumanoidMotion, parent_among
+from omote.interchange.clips.humanoid_motion import HIPS, parent_among
 from omote.interchange.export_face import ExportContext, Meshes, build_scene
 from omote.interchange.formats.glb_writer import FLOAT, GENERATOR, Json, Store, describe_scene, encode_glb
 from omote.model.known_names import NEUTRAL
@@ -80,16 +80,6 @@ def animated_head(
     return encode_glb(document | animation.document(), store)
 
 
-@dataclass(frozen=True, eq=False)
-class AnimatedBody:
-    """motion: what the bones do; places (b, 3): where each begins in T-pose, from its parent, of the hips above the
-    floor, metres; leg: the length of one, metres."""
-
-    motion: HumanoidMotion
-    places: Points
-    leg: float
-
-
 def vrm_animation(
     frames: ClipFrames, customs: Mapping[str, str], /, *, name: str, body: AnimatedBody | None = None
 ) -> bytes:
@@ -135,15 +125,17 @@ def vrm_animation(
         moved = np.column_stack([values, np.zeros((len(values), 2))])
         animation.channel(animation.sampler(moved), len(nodes), "translation")
         nodes.append({"name": theirs})
-    roots.append(len(nodes))
-    looks: Json = {"node": len(nodes), "offsetFromHeadBone": [0.0, 0.06, 0.0]}
-    animation.channel(animation.sampler(quaternions_of(frames.gaze)), len(nodes), "rotation")
-    nodes.append({"name": "lookAt"})
+    looks: Json = {}
+    if body is None or frames.gaze.any():
+        roots.append(len(nodes))
+        looks = {"lookAt": {"node": len(nodes), "offsetFromHeadBone": [0.0, 0.06, 0.0]}}
+        animation.channel(animation.sampler(quaternions_of(frames.gaze)), len(nodes), "rotation")
+        nodes.append({"name": "lookAt"})
     extension = {
         "specVersion": VERSION,
         "humanoid": {"humanBones": bones},
         "expressions": {kind: named for kind, named in expressions.items() if named},
-        "lookAt": looks,
+        **looks,
     }
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": GENERATOR},
@@ -167,7 +159,9 @@ def _head_bones() -> list[Json]:
 def _bone_nodes(body: AnimatedBody) -> list[Json]:
     """The nodes of all bones, in the order of their motion."""
     names = body.motion.names
-    nodes: list[Json] = [{"name": name, "translation": at} for name, at in zip(names, body.places.tolist(), strict=True)]
+    nodes: list[Json] = [
+        {"name": name, "translation": at} for name, at in zip(names, body.places.tolist(), strict=True)
+    ]
     for place, name in enumerate(names):
         above = parent_among(name, names)
         if above:
@@ -188,7 +182,7 @@ def _move_bones(animation: _Animation, body: AnimatedBody) -> None:
 def _continuous(turns: Values) -> Values:
     """Quaternions (n, 4) with signs that never jump, so that programs turn the short way."""
     flips = np.where((turns[1:] * turns[:-1]).sum(axis=1) < 0.0, -1.0, 1.0)
-    return turns * np.concatenate([[1.0], np.cumprod(flips)])[:, None]
+    return np.asarray(turns * np.concatenate([[1.0], np.cumprod(flips)])[:, None])
 
 
 class _Animation:

@@ -100,12 +100,14 @@ class HumanoidMotion:
         check_size(count, len(self.names))
         unknown = [name for name in self.names if name not in PARENTS]
         if unknown or HIPS not in self.names or len(set(self.names)) != len(self.names):
-            raise ValueError(f"a motion is of the bones {', '.join(self.names)[:200]}; expected those of VRM, with hips")
+            raise ValueError(f"a motion has the bones {', '.join(self.names)[:200]}; expected those of VRM with hips")
         shapes = {"times": (count,), "turns": (count, len(self.names), 4), "hips": (count, 3)}
         gaze = {} if self.gaze is None else {"gaze": (count, 2)}
         for name, shape in {**shapes, **gaze}.items():
             object.__setattr__(self, name, _checked(getattr(self, name), shape, f"the {name} of a motion"))
-        kept = {name: _checked(values, (count,), f"the weight of {name[:80]!r}") for name, values in self.weights.items()}
+        kept = {
+            name: _checked(values, (count,), f"the weight of {name[:80]!r}") for name, values in self.weights.items()
+        }
         object.__setattr__(self, "weights", kept)
         if not (np.diff(self.times) > NEAR).all() or self.times[-1] - self.times[0] > LONGEST_CURVE:
             raise ValueError(f"the times of a motion do not rise, or last more than {LONGEST_CURVE:g} s: cut it")

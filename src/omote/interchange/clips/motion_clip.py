@@ -10,15 +10,14 @@ from scipy.ndimage import uniform_filter1d
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Values
-from omote.interchange.avatar.humanoid_pose import HumanoidRest
+from omote.interchange.avatar.humanoid_pose import HumanoidRest, rest_humanoid
 from omote.interchange.avatar.preset_expressions import custom_expressions, preset_weights
 from omote.interchange.avatar.read_humanoid import pose_of_humanoid
-from omote.interchange.clips.bvh_humanoid import bvh_motion
 from omote.interchange.clips.humanoid_motion import HIPS, HumanoidMotion
 from omote.interchange.clips.soles import above_floor, cast_soles
-from omote.interchange.clips.vrma_reader import vrma_motion
 from omote.model.body.skeleton import SIDES
 from omote.model.cast import Cast
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.channels import GAZE_UNITS
 from omote.perform.clips.body_columns import body_columns
 from omote.perform.clips.clip import Clip, Lane
@@ -28,10 +27,7 @@ from omote.perform.clips.motion_curve import make_curve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.figures.pose_mix import MixedPose
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
-from omote.model.known_names import PLAY_REGIONS
 
-READERS = {".bvh": bvh_motion, ".vrma": vrma_motion}
-"""What reads a motion, by the suffix of its file."""
 FASTEST = 60.0
 """Frames of a second that are kept: a cubic goes between them."""
 MOST_FRAMES = 36_000
@@ -46,19 +42,21 @@ STEP_SECONDS = 1.0
 """Over which the way of one who walks on the spot is taken off: about two steps."""
 
 
-def clip_of_motion(motion: HumanoidMotion, rest: HumanoidRest, cast: Cast, *, lane: str = "") -> tuple[Clip, tuple[str, ...]]:
+def clip_of_motion(
+    motion: HumanoidMotion, cast: Cast, *, lane: str = "", start: float = 0.0, stop: float | None = None
+) -> tuple[Clip, tuple[str, ...]]:
     """The clip of a motion.
 
     Parameters
     ----------
     motion : HumanoidMotion
         Of a file.
-    rest : HumanoidRest
-        A figure of the cast in T-pose.
     cast : Cast
-        Which says what its expressions are.
+        With figures; which says what its expressions are, too.
     lane : str
         What to call its lane.
+    start, stop : float
+        Where the clip begins and ends, seconds of the motion; at its end where none is given.
 
     Returns
     -------
@@ -70,8 +68,12 @@ def clip_of_motion(motion: HumanoidMotion, rest: HumanoidRest, cast: Cast, *, la
     Raises
     ------
     ValueError
-        On motion of too many frames, and where nothing of it is a body's or a face's.
+        On motion of too many frames, where nothing of it is a body's or a face's, on a cut that is not in it, and of a
+        body for a cast without figures.
     """
+    length = float(motion.times[-1] - motion.times[0])
+    if (start or stop is not None) and not 0.0 <= start < (length if stop is None else stop) <= length + 1e-6:
+        raise ValueError(f"{start:g} s to {stop or length:g} s is no part of the motion, which is {length:.3f} s long")
     placed, notes = place_motion(_thinned(motion))
     channels, left_out = _channels(placed.weights, cast)
     if left_out:
@@ -80,11 +82,7 @@ def clip_of_motion(motion: HumanoidMotion, rest: HumanoidRest, cast: Cast, *, la
     body = None
     head = None
     if motion.stands:
-        if len(placed.times) > MOST_FRAMES:
-            raise ValueError(f"the motion has {len(placed.times)} frames; expected {MOST_FRAMES} at most: cut it into parts")
-        toes = tuple(cast.bones.index(f"toes.{side}") for side in SIDES)
-        poses = above_floor(_poses(placed, rest), cast_soles(cast), (toes[0], toes[1]))
-        body = body_columns(cast.bones, poses)
+        body = _body(placed, cast)
         parts.append("body")
     elif "head" in placed.names:
         head = _head_angles(placed)
@@ -98,7 +96,23 @@ def clip_of_motion(motion: HumanoidMotion, rest: HumanoidRest, cast: Cast, *, la
     curve = make_curve(
         placed.times, channels, parts_by_channel(channels, cast), head=head, gaze=gaze, body=body
     )  # fmt: skip
-    return Clip([Lane(rounded(curve), lane, tuple(parts))]), (*motion.notes, *notes)
+    clip = Clip([Lane(rounded(curve), lane, tuple(parts))], start=start, stop=stop)
+    return clip, (*motion.notes, *notes)
+
+
+def _body(motion: HumanoidMotion, cast: Cast) -> dict[str, Values]:
+    """The columns of the body, solved on the first body of the cast; no body's feet are in the floor."""
+    if cast.figures is None:
+        raise ValueError("this cast has no bodies, so nobody can move as the file does")
+    if len(motion.times) > MOST_FRAMES:
+        raise ValueError(
+            f"the motion has {len(motion.times)} frames; expected {MOST_FRAMES} at most: cut it into parts"
+        )
+    name = next(iter(cast.bodies))
+    face = name if name in cast.faces else next(iter(cast.faces))
+    rest = rest_humanoid(cast.figures, {name: 1.0}, {name: cast.faces[face].positions})
+    left, right = (cast.bones.index(f"toes.{side}") for side in SIDES)
+    return body_columns(cast.bones, above_floor(_poses(motion, rest), cast_soles(cast), (left, right)))
 
 
 def place_motion(motion: HumanoidMotion) -> tuple[HumanoidMotion, tuple[str, ...]]:
@@ -159,7 +173,7 @@ def _head_angles(motion: HumanoidMotion) -> Values:
     """Yaw, pitch and roll of the head (n, 3), as far as heads turn."""
     yaw, pitch, roll = motion.worlds()["head"].as_euler("YXZ").T
     most = np.array([*HEAD_LIMITS.values()])
-    return np.clip(np.column_stack([yaw, -pitch, -roll]), -most, most)
+    return np.asarray(np.clip(np.column_stack([yaw, -pitch, -roll]), -most, most))
 
 
 def _channels(weights: Mapping[str, Values], cast: Cast) -> tuple[dict[str, Values], list[str]]:

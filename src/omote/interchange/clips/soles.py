@@ -49,7 +49,9 @@ def cast_soles(cast: Cast) -> list[tuple[Sole, Sole]]:
     ]
 
 
-def above_floor(poses: Sequence[MixedPose], soles: Sequence[tuple[Sole, Sole]], toes: tuple[int, int]) -> list[MixedPose]:
+def above_floor(
+    poses: Sequence[MixedPose], soles: Sequence[tuple[Sole, Sole]], toes: tuple[int, int]
+) -> list[MixedPose]:
     """Poses whose feet are raised out of the floor, and hips with them where both are.
 
     poses: of n frames; soles: of each body; toes: the places of the left and the right toes among bones.
@@ -62,8 +64,9 @@ def above_floor(poses: Sequence[MixedPose], soles: Sequence[tuple[Sole, Sole]], 
         for sole in (each[foot] for each in soles):
             lowest = ankles + sole.height + _lowest(sole, turns.as_matrix()[:, 1], bent.as_matrix()[:, 1])
             lifts[:, foot] = np.maximum(lifts[:, foot], -lowest)
+    up = np.array([0.0, 1.0, 0.0])
     return [
-        replace(pose, travel=pose.travel + [0.0, lift.min(), 0.0], feet=pose.feet + lift[:, None] * [0.0, 1.0, 0.0])
+        replace(pose, travel=pose.travel + lift.min() * up, feet=pose.feet + lift[:, None] * up)
         for pose, lift in zip(poses, lifts, strict=True)
     ]
 

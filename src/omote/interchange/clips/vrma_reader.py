@@ -16,7 +16,15 @@ from scipy.spatial.transform import Rotation, Slerp
 from omote.arrays import Values
 from omote.interchange.clips.humanoid_motion import HIPS, LEGS, PARENTS, HumanoidMotion, check_size, turns_of_worlds
 from omote.interchange.formats.error_reasons import explain_error
-from omote.interchange.formats.gltf_document import AccessorReader, Document, Whole, entry, node_places, parse_document_as, split_gltf
+from omote.interchange.formats.gltf_document import (
+    AccessorReader,
+    Document,
+    Whole,
+    entry,
+    node_places,
+    parse_document_as,
+    split_gltf,
+)
 from omote.interchange.formats.gltf_extensions import extends
 from omote.interchange.formats.gltf_scene import find_nothing, read_buffers
 from omote.perform.clips.motion_curve import LONGEST_CURVE
@@ -66,7 +74,7 @@ class Animation(msgspec.Struct, frozen=True):
 class AnimationDocument(Document, frozen=True, rename="camel"):
     """A glTF document with animations."""
 
-    animations: list[Animation] = []
+    animations: tuple[Animation, ...] = ()
 
 
 class _NodeOf(msgspec.Struct, frozen=True):
@@ -107,7 +115,9 @@ def vrma_motion(data: bytes) -> HumanoidMotion:
     document = parse_document_as(AnimationDocument, text)
     extension = _extension(document)
     if len(document.nodes) > MOST_NODES:
-        raise ValueError(f"the file has {len(document.nodes)} nodes; expected {MOST_NODES} at most: export one humanoid")
+        raise ValueError(
+            f"the file has {len(document.nodes)} nodes; expected {MOST_NODES} at most: export one humanoid"
+        )
     if not document.animations:
         raise ValueError("the file has no animation; export the motion, too")
     bones = {} if extension.humanoid is None else extension.humanoid.human_bones
@@ -204,7 +214,7 @@ class _Curves:
             sampler = entry(animation.samplers, channel.sampler, "sampler")
             numbers += entry(document.accessors, sampler.output, "accessor").count * _COLUMNS[path]
             if numbers > MOST_CURVE_NUMBERS:
-                raise ValueError(f"the curves of the file have more than {MOST_CURVE_NUMBERS} numbers; cut it into parts")
+                raise ValueError(f"the curves of the file have more than {MOST_CURVE_NUMBERS} numbers; cut it in two")
             self._curves[_node(document, node), path] = self._read(sampler, path)
         if not self._curves:
             raise ValueError("nothing moves in the animation of the file; export the motion, too")
@@ -246,9 +256,13 @@ class _Curves:
         cubic = sampler.interpolation == "CUBICSPLINE"
         told = self._reader.numbers(sampler.output, columns, "the values of a curve", 3 * MOST_KEYS, normalized=False)
         if len(told) != len(keys) * (3 if cubic else 1) or (np.diff(keys) <= 0.0).any():
-            raise ValueError("a curve of the file has times that do not rise, or another number of values; export it anew")
+            raise ValueError(
+                "a curve of the file has times that do not rise, or another number of values; export it anew"
+            )
         if keys[0] < 0.0 or keys[-1] > LONGEST_CURVE:
-            raise ValueError(f"a curve of the file goes from {keys[0]:g} to {keys[-1]:g} s; expected 0 to {LONGEST_CURVE:g} s")
+            raise ValueError(
+                f"a curve of the file goes from {keys[0]:g} to {keys[-1]:g} s; expected 0 to {LONGEST_CURVE:g} s"
+            )
         if path == "rotation":
             lengths = np.linalg.norm(told[1::3] if cubic else told, axis=1)
             if lengths.min() < 1e-6:

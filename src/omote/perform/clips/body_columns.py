@@ -146,6 +146,8 @@ def _without_jumps(vectors: Values) -> Values:
         if angle < math.pi / 2.0:
             continue
         other = smooth[frame] * (1.0 - 2.0 * math.pi / angle)
-        if np.abs(other).max() < LARGEST_TURN and np.linalg.norm(other - before) < np.linalg.norm(smooth[frame] - before):
+        if np.abs(other).max() < LARGEST_TURN and np.linalg.norm(other - before) < np.linalg.norm(
+            smooth[frame] - before
+        ):
             smooth[frame] = other
     return smooth

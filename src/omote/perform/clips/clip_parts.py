@@ -13,7 +13,8 @@ CLIP_PARTS: tuple[ClipPart, ...] = get_args(ClipPart)
 BODY = WHOLE + 1
 """The place of the body among shares: behind that of the whole face, which clips in show files have by its number."""
 PLACES = BODY + 1
-"""Of shares: one for each of `LAYER_PARTS`, that of what acts on the whole face (the mean of its regions), the body's."""
+"""Of shares: one for each of `LAYER_PARTS`, that of what acts on the whole face (the mean of its regions), and the
+body's."""
 
 
 def check_clip_part(name: object) -> ClipPart:

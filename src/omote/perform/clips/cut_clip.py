@@ -215,7 +215,7 @@ def parts_by_channel(names: Iterable[str], cast: HasTitles) -> dict[str, int]:
     return {name: place_of_channel(name, cast) for name in names}
 
 
-def record(performer: Advances, cast: HasTitles, *, seconds: float, rate: int = 60) -> MotionCurve:
+def record(performer: Advances, cast: HasPoses, *, seconds: float, rate: int = 60) -> MotionCurve:
     """Lets a performer play and records it.
 
     Parameters

@@ -222,4 +222,6 @@ def _range_of(column: str) -> tuple[float, float]:
     most = range_of(name) if part == BODY_COLUMN else None
     if most is not None:
         return -most, most
-    raise ValueError(f"there is no column {column[:80]!r} of a motion; expected channel/NAME, REGION/NAME, body/BONE/AXIS or an angle")
+    raise ValueError(
+        f"there is no column {column[:80]!r} of a motion; expected channel/NAME, REGION/NAME, body/BONE/x or an angle"
+    )

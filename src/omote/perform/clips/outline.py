@@ -6,8 +6,8 @@ import numpy as np
 
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL
-from omote.perform.clips.clip import Lane
 from omote.perform.clips.body_columns import BODY_COLUMN, range_of
+from omote.perform.clips.clip import Lane
 from omote.perform.clips.clip_parts import place_of_part
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.sample import GAZE_COLUMNS, HEAD_COLUMNS

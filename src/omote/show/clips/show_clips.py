@@ -9,8 +9,8 @@ from typing import Any
 import msgspec
 
 from omote.perform.clips.clip import Clip, Lane, find_lane, replace_span, with_changed_lane, with_lane
-from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.clip_parts import CLIP_PARTS, ClipPart
+from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.cut_clip import CurveBuilder
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
@@ -179,9 +179,7 @@ class ShowClips:
             check_room(self.clips)
         return self._with({**self.clips, name: clip})
 
-    def add_pass(
-        self, name: str, curve: MotionCurve, parts: Sequence[ClipPart] = (), lane: str = ""
-    ) -> list[Outgoing]:
+    def add_pass(self, name: str, curve: MotionCurve, parts: Sequence[ClipPart] = (), lane: str = "") -> list[Outgoing]:
         """Keeps motion as a lane over the others of a clip, or as a new clip; returns what consoles are told.
 
         name: of the clip; curve: in the time of the clip; parts: that it gives, none: all; lane: what to call it.
