@@ -21,6 +21,7 @@ from omote.perform.frame import (
     PadStatus,
     SourceStatus,
     SpeechStatus,
+    TrackedPose,
 )
 from omote.show.objects.state import (
     CallState,
@@ -84,7 +85,13 @@ def figure_frame_of(figure: FigureState) -> FigureFrame:
         region_calls={region: call_status_of(call) for region, call in figure.region_calls.items()},
         body_call=call_status(figure.body_call),
         fader=figure.fader,
+        tracked=tracked_of(figure),
     )
+
+
+def tracked_of(figure: FigureState) -> TrackedPose | None:
+    """The tracked body of a figure of the wire as the engine's."""
+    return None if figure.tracked is None else TrackedPose(tuple(figure.tracked.shares), figure.tracked.pose)
 
 
 def speech_status(speech: SpeechState) -> SpeechStatus:

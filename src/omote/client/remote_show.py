@@ -11,7 +11,7 @@ from omote.client.remote_character import RemoteCharacter, Said, Sent
 from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.model.known_names import GENERIC
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.layers.layer_names import check_driven, check_part
+from omote.perform.layers.layer_names import ROUTE_PARTS, check_driven
 from omote.perform.limits import check_known
 from omote.perform.pads.blend_space import Pad
 from omote.perform.scene.character_names import ALL, find_character
@@ -75,7 +75,7 @@ class RemoteSources(CharacterNames, Generic[Sent]):
         if isinstance(characters, str) or isinstance(regions, str):
             raise TypeError("characters and regions are lists of names; give ['one'] for one")
         targets = [self.find_character(character) for character in characters]
-        parts = [check_part(region) for region in regions]
+        parts = [check_known(region, ROUTE_PARTS, "region of a source") for region in regions]
         return self.send(RouteSource(self.next_id(), source, targets, check_driven(layer), parts))
 
     def calibrate_source(self, source: str, step: CalibrationStep, channels: Iterable[str] = ()) -> Sent:

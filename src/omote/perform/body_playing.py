@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_regions import check_pose_region
 from omote.perform import axis
 from omote.perform.axis import Axis, call_part, move_whole
 from omote.perform.called_mix import start_call
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.figures.figure_axes import AT_REST, FACES_OWN
+from omote.perform.figures.packed_pose import BESIDE_BONES
+from omote.perform.figures.tracked_body import lose_body, track_body
 from omote.perform.frame import Frame, with_fields
+from omote.perform.layers.layer_names import LayerName
+from omote.perform.layers.source_frame import BodyFrame, SourceFrame
 from omote.perform.limits import check_call_seconds, check_within
 from omote.perform.motion.chest_following import AT_HOME, follow_head
 from omote.perform.skin_playing import SkinPlaying
@@ -136,6 +141,27 @@ class BodyPlaying(SkinPlaying):
         check_call_seconds(seconds)  # no T-bar moves it
         names = {FACES_OWN: None, **self._cast.bodies}
         self._play(figure=replace(figure, body=start_call(figure.body, names, name, "body", seconds, easing)))
+
+    def _drive_body(self, layer: LayerName, frame: SourceFrame, body: BodyFrame) -> None:
+        """Takes the body of a source's frame; ValueError where it has other bones than the cast's figures."""
+        stand = self._cast.poses.get(STAND)
+        if not isinstance(stand, Pose):
+            return  # a cast of heads alone
+        expected = stand.turns.size + BESIDE_BONES
+        if body.numbers.shape != (expected,):
+            raise ValueError(
+                f"a body of {len(body.numbers)} numbers came for {len(stand.turns)} bones; send {expected}"
+            )
+        figure = self._now.figure or AT_REST
+        tracked = track_body(figure.tracked, layer, frame.source, body, found=frame.found)
+        self._now = with_fields(self._now, figure=with_fields(figure, tracked=tracked))
+
+    def _leave_body(self, layer: LayerName, source: str) -> None:
+        """Fades out the body of a source that has gone."""
+        figure = self._now.figure
+        if figure is not None and figure.tracked is not None:
+            lost = with_fields(figure, tracked=lose_body(figure.tracked, layer, source))
+            self._now = with_fields(self._now, figure=lost)
 
     def _with_chest(self, frame: Frame, dt: float) -> Frame:
         """A frame with the chest, which follows the head that shows by `dt` seconds. frame: all else that shows now."""

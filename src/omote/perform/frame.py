@@ -245,11 +245,20 @@ NO_IDLE = (0.0, 0.0, 0.0)
 """Of a figure that holds still: no breath, its weight on both feet, its chest ahead."""
 
 
+class TrackedPose(NamedTuple):
+    """The pose of a performer whom a source sees. shares: how much of it shows in each of `POSE_REGIONS`, 0 to 1; pose:
+    its numbers, packed (`omote.perform.figures.packed_pose`)."""
+
+    shares: tuple[float, ...]
+    pose: bytes
+
+
 @dataclass(frozen=True)
 class FigureFrame:
     """The figure of a frame. poses: the mix, which sums to one; regions: those of the regions that show another;
     bodies: the mix of bodies, in which "own" stands for those of the faces; pose_call, region_calls, body_call: what is
-    called; fader: where the T-bar of the poses stands, 0..1."""
+    called; fader: where the T-bar of the poses stands, 0..1; tracked: the body of a performer whom a source sees, which
+    shows in place of the mix."""
 
     poses: Mapping[str, float]
     regions: Mapping[PoseRegion, Mapping[str, float]]
@@ -258,6 +267,7 @@ class FigureFrame:
     region_calls: Mapping[PoseRegion, CallStatus]
     body_call: CallStatus | None
     fader: float
+    tracked: TrackedPose | None = None
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 
+from omote.model.body.pose import Pose
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, advance_regions, call_regions
@@ -13,6 +14,7 @@ from omote.perform.body_playing import BodyPlaying
 from omote.perform.complexion import calm_skin
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.figures.figure_axes import advance_figure, figure_frame, halt_figure
+from omote.perform.figures.packed_pose import pose_numbers
 from omote.perform.frame import NO_IDLE, NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
@@ -33,6 +35,7 @@ from omote.perform.layers.layers_snapshot import restored, snapshot_of
 from omote.perform.layers.source_frame import (
     AUTOMATIC,
     SPEECH,
+    BodyFrame,
     SourceFrame,
     check_frame,
     source_frame,
@@ -194,6 +197,7 @@ class Performer(BodyPlaying):
         gaze: tuple[float, float] | None = None,
         found: bool = True,
         smoothing: float = 0.0,
+        body: Pose | None = None,
     ) -> None:
         """Takes one frame of a source: the newest wins, and the layer follows it without a jump.
 
@@ -215,6 +219,9 @@ class Performer(BodyPlaying):
         smoothing : float
             Seconds, to 2, in which the layer goes nine tenths of a step; without it 0.1, of the mouth 0.06, on the
             layer lips 0.04, and less where it moves fast.
+        body : Pose, optional
+            What the performer's body does, beside where the head looks; the figure does that instead of its poses, and
+            these again when the source is lost.
 
         Raises
         ------
@@ -240,6 +247,8 @@ class Performer(BodyPlaying):
         which = check_driven(layer)
         expressions = self._cast.expressions
         frame = source_frame(expressions, channels, head, gaze, found=found, smoothing=smoothing)
+        if body is not None:
+            frame = with_fields(frame, body=BodyFrame(pose_numbers(body)))
         self.drive_layer(which, check_frame(frame, which))
 
     def set_layer(
@@ -476,7 +485,7 @@ class Performer(BodyPlaying):
             expression=expression,
             regions=advance_regions(now.regions, expression, dt) if now.regions else now.regions,
             light=axis.advanced(now.light, dt),
-            figure=advance_figure(now.figure, dt),
+            figure=advance_figure(now.figure, dt, self._is_layer_on),
             easing_to_rest=ease_later(now.easing_to_rest, dt),
             time=now.time + dt,
         )
@@ -505,6 +514,10 @@ class Performer(BodyPlaying):
         >>> list(performer.advance(0.0).layers)
         ['lips']
         """
+        if frame.body is not None:
+            self._drive_body(layer, frame, frame.body)
+        if not frame.parts:
+            return
         turns = RULES[layer] != "fill"  # what fills closes what is open, and turns nothing
         played = with_gaze_of_units(frame) if turns else frame
         self._layers = drive(self._cast, self._begun_layers(), layer, played)
@@ -528,6 +541,7 @@ class Performer(BodyPlaying):
         {}
         """
         self._layers = None if self._layers is None else leave(self._layers, layer, source)
+        self._leave_body(layer, source)
 
     def recalibrate_layer(self, layer: LayerName, source: str) -> None:
         """Fades out the layer of a source that sends by another measure from now on, before it follows again.
@@ -546,6 +560,9 @@ class Performer(BodyPlaying):
         >>> performer.recalibrate_layer("playback", "")
         """
         self._layers = None if self._layers is None else recalibrate(self._layers, layer, source)
+
+    def _is_layer_on(self, layer: LayerName) -> bool:
+        return self._layers is None or self._layers.settings[layer].on
 
     def _move(self, dt: float) -> None:
         """What the character does by itself plays the layers that no source drives."""

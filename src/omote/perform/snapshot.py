@@ -16,6 +16,7 @@ from omote.perform.clips.clip_runs import ClipRun, check_runs
 from omote.perform.complexion import Skin, check_skin
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.figures.figure_axes import FACES_OWN, FigureAxes
+from omote.perform.figures.tracked_body import check_tracked
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.gestures import Gesture, check_gestures
 from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
@@ -186,6 +187,8 @@ def _check_figure(figure: FigureAxes | None, cast: Playable) -> None:
     check_axis(figure.pose, cast.poses, "pose")
     for region, axis in figure.regions.items():
         check_axis(axis, cast.poses, f"pose ({check_pose_region(region)})")
+    if figure.tracked is not None:
+        check_tracked(figure.tracked)
     check_axis(figure.body, {FACES_OWN: None, **cast.bodies}, "body")
 
 

@@ -35,6 +35,7 @@ from omote.show.objects.state import (
     Place,
     SpeechState,
     State,
+    TrackedState,
 )
 
 if TYPE_CHECKING:
@@ -187,6 +188,7 @@ def figure_state(figure: FigureFrame) -> FigureState:
         region_calls={region: call_state_of(status) for region, status in figure.region_calls.items()},
         body_call=call_state(figure.body_call),
         fader=figure.fader,
+        tracked=None if figure.tracked is None else TrackedState(list(figure.tracked.shares), figure.tracked.pose),
     )
 
 

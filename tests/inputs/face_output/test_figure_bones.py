@@ -9,12 +9,13 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Points
 from omote.builtin import load_cast
 from omote.inputs.face_output.face_target import FaceTarget, encode_face
-from omote.inputs.face_output.figure_bones import FigureBones, unity_name
+from omote.inputs.face_output.figure_bones import FigureBones
 from omote.inputs.osc_packet import decode_packet
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.inputs.trackers.head_angles import BoneTurn
 from omote.inputs.trackers.vmc_messages import BONE, ROOT, VmcDecoder
 from omote.interchange.avatar.humanoid_figure import humanoid_bones
+from omote.interchange.avatar.vrm0_extension import unity_name
 from omote.interchange.figures.figure_rig import export_figure
 from omote.perform.figures.figure import pose_figure
 from omote.perform.figures.pose_mix import mix_poses

@@ -1416,7 +1416,9 @@ export type Source = {
  * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
  * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
  * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
- * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
+ * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows. `body`: what the
+ * performer's body does, beside where the head looks, as `pose` of the state has it, `b""` for none; `seen`: which
+ * regions of it.
  */
 export type Drive = {
   type: "drive";
@@ -1426,6 +1428,8 @@ export type Drive = {
   gaze?: [number, number] | null;
   found?: boolean;
   share?: number;
+  body?: Uint8Array;
+  seen?: ("head" | "trunk" | "arm_left" | "arm_right" | "stance")[];
 };
 
 /** A source of this link ends; its layers fade out. */
@@ -1441,7 +1445,7 @@ export type RouteSource = {
   source: string;
   characters: string[];
   layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
-  regions?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  regions?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[];
 };
 
 /**
@@ -1495,7 +1499,7 @@ export type SourceIs = { type: "source_is"; index: number; name: string };
 /**
  * A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
  * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
- * `highest`: what was measured, by channel.
+ * `highest`: what was measured, by channel. `body`: it sees a body.
  */
 export type SourceState = {
   name: string;
@@ -1503,7 +1507,7 @@ export type SourceState = {
   console: string;
   characters: string[];
   layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
-  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[];
   performer: string;
   rate: number;
   found: boolean;
@@ -1517,6 +1521,7 @@ export type SourceState = {
   lids: number;
   neutral: Record<string, number>;
   highest: Record<string, number>;
+  body: boolean;
 };
 
 /** All sources that send: complete, to consoles once a second and with each change. */
@@ -1773,9 +1778,17 @@ export type MacroState = { value: number; share: number };
 export type PadPointState = { place: number[]; plays: boolean };
 
 /**
+ * The body of a performer whom a source sees. `shares`: how much of it shows in the head, the trunk, the left arm,
+ * the right arm and the stance, 0..1; `pose`: 16 bits a number, little-endian: the turns of the bones (a step of
+ * 3.5 / 32767 radians), where the hips and both feet are (3 / 32767 leg lengths), the turns of the feet.
+ */
+export type TrackedState = { shares: number[]; pose: Uint8Array };
+
+/**
  * What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
  * of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
- * `fader`: where the T-bar of the poses stands, 0..1.
+ * `fader`: where the T-bar of the poses stands, 0..1. `tracked`: a performer's body, which shows in place of the mix; it
+ * is left out while there is none.
  */
 export type FigureState = {
   poses: Record<string, number>;
@@ -1785,6 +1798,7 @@ export type FigureState = {
   region_calls: Partial<Record<"head" | "trunk" | "arm_left" | "arm_right" | "stance", CallState>>;
   body_call: CallState | null;
   fader: number;
+  tracked: TrackedState | null;
 };
 
 /**

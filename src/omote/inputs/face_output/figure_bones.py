@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from omote.arrays import Floats
 from omote.inputs.trackers.head_angles import BoneTurn
 from omote.interchange.avatar.humanoid_pose import HIPS, humanoid_pose, rest_humanoid
-from omote.interchange.avatar.vrm0_extension import THUMBS
+from omote.interchange.avatar.vrm0_extension import unity_name
 from omote.model.body.figures import Figures
 from omote.model.body.pose import Pose
 from omote.model.body.pose_regions import region_bones
 from omote.perform.figures.evaluate_figure import turned_pose
 from omote.perform.figures.pose_mix import mix_poses
-from omote.perform.frame import Head
+from omote.perform.frame import Head, TrackedPose
 from omote.show.objects.state import CharacterState
 
 
@@ -36,16 +36,12 @@ class FigureBones:
         called = character.figure
         if called is None:
             return {}
+        sees = called.tracked
+        tracked = None if sees is None else TrackedPose(tuple(sees.shares), sees.pose)
         mixed = mix_poses(poses, called.poses, called.regions, self._regions, character.idle)
-        told = humanoid_pose(self._rest, turned_pose(self._skeleton, mixed, Head(*character.head)))
+        told = humanoid_pose(self._rest, turned_pose(self._skeleton, mixed, Head(*character.head), tracked))
         x, y, z = (told.places[0] - self._ahead).tolist()
         return {
             unity_name(name): BoneTurn((x, y, z) if name == HIPS else (0.0, 0.0, 0.0), (qx, qy, qz, qw))
             for name, (qx, qy, qz, qw) in zip(told.names, told.turns.tolist(), strict=True)
         }
-
-
-def unity_name(bone: str) -> str:
-    """Unity's name (`HumanBodyBones`, as VMC and VRM 0.x have it) for a bone of VRM 1.0: the thumb's are others."""
-    name = THUMBS.get(bone, bone)
-    return name[0].upper() + name[1:]

@@ -11,6 +11,7 @@ from omote.inputs.source_client import refusals
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
+from omote.perform.layers.layer_names import LAYER_PARTS
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.show.objects.hand.pads import MovePad
@@ -95,10 +96,10 @@ class HandInput:
         route = session.sources.route(self.trackers.title("", name))
         chosen = self._chosen.get(name)
         characters = list(route.characters) if chosen is None else chosen.characters
-        regions = list(route.parts) if chosen is None else chosen.regions
+        regions = route.parts if chosen is None else [part for part in LAYER_PARTS if part in chosen.regions]
         choices = [
             wire.CharacterChoice(character, label, character in characters or ALL in characters)
             for character, label in session.scene.labels.items()
         ]
         pads = [pad for pad, kept in session.scene.pads.items() if kept.dimensions >= POINT]
-        return wire.HandChoice(choices, regions, self._heard.get(name, 0), pads)
+        return wire.HandChoice(choices, list(regions), self._heard.get(name, 0), pads)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from uuid import uuid4
 
 from omote.inputs.trackers.tracker_input import TrackerInput
-from omote.perform.layers.layer_names import LayerName, LayerPart
+from omote.perform.layers.layer_names import LayerName, RoutePart
 from omote.show.objects.link import Refused
 from omote.show.objects.sources import RouteSource
 from omote.show.session import ShowSession
@@ -17,7 +17,7 @@ class SourceChoice:
     """characters: by name; regions: none for all."""
 
     characters: list[str]
-    regions: list[LayerPart] = field(default_factory=list)
+    regions: list[RoutePart] = field(default_factory=list)
 
 
 def route_source(session: ShowSession, trackers: TrackerInput, name: str, choice: SourceChoice, now: float) -> str:

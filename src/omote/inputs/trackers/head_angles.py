@@ -98,6 +98,14 @@ def multiply_quaternions(first: Quaternion, second: Quaternion) -> Quaternion:
     )
 
 
+def rotate(turn: Quaternion, place: tuple[float, float, float]) -> tuple[float, float, float]:
+    """A place, or a way, turned about the origin. turn: of length one; place: x, y and z in any unit."""
+    x, y, z, w = turn
+    back = (-x, -y, -z, w)
+    a, b, c, _ = multiply_quaternions(multiply_quaternions(turn, (*place, 0.0)), back)
+    return a, b, c
+
+
 def normalize_quaternion(rotation: Quaternion) -> Quaternion:
     """A rotation of length 1; PacketError where it says no direction."""
     length = math.hypot(*rotation)

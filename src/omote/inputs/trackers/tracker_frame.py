@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 import msgspec
 
 from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.body_bones import BodyBones
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
 from omote.inputs.trackers.loose_json import load_loosely
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
@@ -44,7 +45,7 @@ class TrackerFrame:
 
     head: yaw, pitch and roll, gaze: yaw and pitch (radians, + is the performer's left, up, tilt to the left); None
     where it sent none. found: whether it sees its performer. time: seconds by its own clock. subject: its name for the
-    performer, "" where there is none. left_out: what of the packet is not there as it came.
+    performer, "" where there is none. left_out: what of the packet is not there as it came. bones: of its body.
     """
 
     weights: Mapping[str, float] = field(default_factory=dict)
@@ -54,6 +55,7 @@ class TrackerFrame:
     time: float | None = None
     subject: str = ""
     left_out: tuple[LeftOut, ...] = ()
+    bones: BodyBones | None = None
 
     def __post_init__(self) -> None:
         """Amends what no channel, head or eye can take, value by value."""

@@ -12,11 +12,14 @@ from numpy.typing import NDArray
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.source_client import SourceClient, refusals
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
-from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
+from omote.inputs.trackers.body_bones import BodyBones, moved_regions
+from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, Quaternion, limit_gaze, limit_head
 from omote.inputs.trackers.packet_format import explain_format, is_read_by, recognize_format
 from omote.inputs.trackers.tracker_frame import ANGLES, Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
+from omote.model.body.pose_regions import PoseRegion
 from omote.model.known_names import NEUTRAL
+from omote.perform.figures.packed_pose import pack_pose
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 from omote.show.objects.sources import Drive
 from omote.show.session import ShowSession
@@ -50,6 +53,8 @@ class TrackedFace(SourceClient):
 
     turns, looks: whether its head and its eyes have ever turned: senders that know no angles send zeros for ever.
 
+    bones: of its body as it sent them last; first: as they came first; seen: regions of it that have moved since.
+
     strange: names of its newest frame that no channel has; said: what was said to be left out of it, or strange.
     """
 
@@ -69,6 +74,9 @@ class TrackedFace(SourceClient):
     heard: int = 0
     strange: tuple[str, ...] = ()
     said: set[str] = field(default_factory=set)
+    bones: BodyBones | None = None
+    first: Mapping[str, Quaternion] = field(default_factory=dict)
+    seen: set[PoseRegion] = field(default_factory=set)
 
 
 class TrackerInput:
@@ -223,6 +231,10 @@ class TrackerInput:
         if frame.head is not None:
             face.head = limit_head(frame.head)
             face.turns = face.turns or any(face.head)
+        if frame.bones is not None:
+            face.first = {**frame.bones.turns, **face.first}
+            face.bones = frame.bones
+            face.seen |= moved_regions(face.first, frame.bones.turns) - face.seen
         if frame.gaze is not None:
             face.gaze = limit_gaze(frame.gaze)
             face.looks = face.looks or any(face.gaze)
@@ -239,7 +251,7 @@ class TrackerInput:
     def _drive(self, face: TrackedFace, frame: TrackerFrame, now: float) -> list[str]:
         """Sends a frame to the session; returns the reasons of rejections."""
         session = self._session()
-        if not (face.names or face.turns or face.looks):
+        if not (face.names or face.turns or face.looks or face.seen):
             return []
         face.join(session)
         refused = face.open(session, "tracker", face.names, now) if face.index is None else []
@@ -248,13 +260,24 @@ class TrackerInput:
         values = face.values.astype("<f4").tobytes()
         head = face.head if face.turns else None
         gaze = face.gaze if face.looks else None
-        drive = Drive(face.index, values, head, gaze, frame.found)
+        body, seen = _body(face)
+        drive = Drive(face.index, values, head, gaze, frame.found, body=body, seen=seen)
         return refusals(session.receive(face.who, drive, now))
 
     def reject(self, host: str, reason: str, now: float) -> None:
         """Counts what was not obeyed. host: the sender's; reason: why; now: seconds of the show's clock."""
         self.rejected += 1
         self.last_rejection = Rejection(now, self._sender(host), reason)
+
+
+def _body(face: TrackedFace) -> tuple[bytes, list[PoseRegion]]:
+    """What a frame says of a performer's body; nothing until a region of it has moved."""
+    if face.bones is None or not face.seen:
+        return b"", []
+    from omote.inputs.trackers.body_pose import body_frame, builtin_rest  # SciPy, for those who have a body alone
+
+    frame = body_frame(builtin_rest(), face.bones, face.seen)
+    return pack_pose(frame.numbers), list(frame.regions)
 
 
 def _unsaid(face: TrackedFace, names: Mapping[str, str]) -> list[str]:

@@ -6,9 +6,11 @@ decoder for each sender. Bones are local rotations of Unity (left-handed, y up, 
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from types import MappingProxyType
 
 from omote.inputs.osc_packet import (
@@ -23,7 +25,9 @@ from omote.inputs.osc_packet import (
 )
 from omote.inputs.rejection import PacketError
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
+from omote.inputs.trackers.body_bones import BodyBones
 from omote.inputs.trackers.head_angles import (
+    LEAST_LENGTH,
     BoneTurn,
     GazeAngles,
     HeadAngles,
@@ -33,6 +37,7 @@ from omote.inputs.trackers.head_angles import (
     multiply_quaternions,
     normalize_quaternion,
     read_unity_quaternion,
+    rotate,
     write_unity_quaternion,
 )
 from omote.inputs.trackers.tracker_frame import LeftOut, TrackerError, TrackerFrame, read_weight
@@ -63,21 +68,35 @@ APPLIES = frozenset({encode_message(APPLY), encode_message(APPLY)[:-4]})
 """What ends a frame, with tags of no arguments and without tags: it waits for no turn."""
 TURN_FLOATS = b",sfffffff\0\0\0"
 """The tags of a name with a place and a turn, as bones have them."""
+Place = tuple[float, float, float]
+NOWHERE: Place = (0.0, 0.0, 0.0)
+HIPS = "hips"
+MODEL = "root"
+"""The model itself, which senders move through their room."""
 NO_TURN: Quaternion = (0.0, 0.0, 0.0, 1.0)
 BONES: Mapping[str, str] = MappingProxyType(
     {"head": "Head", "neck": "Neck", "lefteye": "LeftEye", "righteye": "RightEye"}
 )
 
+BODY_BONE = struct.Struct(">7f")
+LEG_BONES = ("leftLowerLeg", "leftFoot", "rightLowerLeg", "rightFoot")
+LEAST_LEG = 0.1
+"""Metres of two legs, of a sender that says where its knees and ankles are."""
 FACE_BONES = frozenset(name.encode() for name in BONES)
 
 
 @dataclass
 class _Said:
     """What a sender has said: its values and bones, as it said them last. turned: whether a bone is another than
-    before; left_out: what could not be read since the last frame."""
+    before; body: its newest bones as they came, by VRM's names, known: those that were read; root: where its model was
+    first; left_out: what could not be read since the last frame."""
 
     weights: dict[str, float] = field(default_factory=dict)
     bones: dict[str, Quaternion] = field(default_factory=dict)
+    body: dict[str, bytes] = field(default_factory=dict)
+    known: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    heard: dict[str, bytes] = field(default_factory=dict)
+    root: tuple[Quaternion, Place] | None = None
     found: bool = True
     time: float | None = None
     complete: bool = False
@@ -114,9 +133,31 @@ class _Said:
         if "Head" in bones or "Neck" in bones:
             head = read_unity_quaternion(multiply_quaternions(bones.get("Neck", NO_TURN), bones.get("Head", NO_TURN)))
         eyes = [read_unity_quaternion(bones[eye])[:2] for eye in ("LeftEye", "RightEye") if eye in bones]
+        body = self._read_body()
         left_out = tuple(self.left_out)
         self.left_out.clear()
-        return TrackerFrame(dict(self.weights), head, average_eyes(eyes), self.found, self.time, left_out=left_out)
+        return TrackerFrame(
+            dict(self.weights), head, average_eyes(eyes), self.found, self.time, left_out=left_out, bones=body
+        )
+
+    def _read_body(self) -> BodyBones | None:
+        """The body as it is said; one bone that is none stays where it was."""
+        for name, data in self.body.items():
+            numbers = BODY_BONE.unpack(data)
+            if all(map(math.isfinite, numbers)) and math.hypot(*numbers[3:]) > LEAST_LENGTH:
+                self.known[name] = numbers
+            elif len(self.left_out) < MOST_FAULTS:
+                self.left_out.append(LeftOut("", f"the bone {name} is no rotation, or nowhere"))
+        self.body.clear()
+        if not self.known.keys() - {MODEL}:
+            return None
+        turns = {name: mirror_quaternion(normalize_quaternion(_turn(at))) for name, at in self.known.items()}
+        places = {name: (-x, y, z) for name, (x, y, z, *_) in self.known.items()}
+        model = turns.pop(MODEL, NO_TURN), places.get(MODEL, NOWHERE)
+        self.root = self.root or model
+        turns, hips = _on_model(turns, places.get(HIPS), self.root, model)
+        leg = 0.5 * sum(math.hypot(*places[name]) for name in LEG_BONES if name in places)
+        return BodyBones(turns, hips, leg if leg > 0.5 * LEAST_LEG else 0.0, "Head" in self.bones)
 
 
 class VmcDecoder:
@@ -136,6 +177,7 @@ class VmcDecoder:
         elements, fault = split_bundle(data) if data.startswith(BUNDLE) else ([data], None)
         faults: list[PacketError] = [] if fault is None else [fault]
         names = self._names
+        bones = body_bones()
         weights = said.weights
         read = FLOAT.unpack
         unknown = 0
@@ -145,6 +187,9 @@ class VmcDecoder:
                 (weights[name],) = read(element[-4:])
             elif element in APPLIES:
                 said.complete = True
+            elif (bone := bones.get(element[:-28])) is not None:
+                said.turned = said.turned or element[-28:] != said.heard.get(bone)
+                said.body[bone] = said.heard[bone] = element[-28:]
             elif element[20:32] != TURN_FLOATS or element[32:-28].rstrip(b"\0").lower() in FACE_BONES:
                 if self._window <= unknown < self._window + MOST_NEW:
                     self._hear(element, faults)
@@ -201,6 +246,41 @@ def _name_of_value(element: bytes) -> str | None:
     if not element.startswith(BEGIN) or b"\0" in name or len(element) != len(BEGIN) + 8 + len(name) - len(name) % 4:
         return None
     return name.decode() if name.isascii() and 0 < len(name) <= LONGEST_NAME else None
+
+
+@cache
+def body_bones() -> Mapping[bytes, str]:
+    """How messages of bones begin, the body's and the model's own, with their VRM names."""
+    from omote.interchange.avatar.humanoid_figure import humanoid_bones
+    from omote.interchange.avatar.vrm0_extension import unity_name
+
+    names = {unity_name(name): name for name in humanoid_bones() if name not in ("neck", "head")}
+    begins = {_encode_bone(BONE, name, NO_TURN)[:-28]: bone for name, bone in names.items()}
+    return begins | {_encode_bone(ROOT, name, NO_TURN)[:-28]: MODEL for name in ("root", "Root")}
+
+
+def _turn(numbers: tuple[float, ...]) -> Quaternion:
+    x, y, z, w = numbers[3:]
+    return x, y, z, w
+
+
+def _on_model(
+    turns: dict[str, Quaternion], hips: Place | None, first: tuple[Quaternion, Place], now: tuple[Quaternion, Place]
+) -> tuple[dict[str, Quaternion], Place | None]:
+    """Bones and hips as they are where the model was first, which has gone and turned since.
+
+    turns: by VRM's names; hips: on the model, metres; first, now: how the model is turned, and where it is.
+    """
+    (before, place), (after, there) = first, now
+    if first == now or HIPS not in turns:
+        return turns, hips
+    back = (-before[0], -before[1], -before[2], before[3])
+    turned = multiply_quaternions(back, after)
+    x, y, z = rotate(back, (there[0] - place[0], there[1] - place[1], there[2] - place[2]))
+    if hips is not None:
+        a, b, c = rotate(turned, hips)
+        hips = (x + a, y + b, z + c)
+    return {**turns, HIPS: multiply_quaternions(turned, turns[HIPS])}, hips
 
 
 def encode_vmc(

@@ -131,3 +131,9 @@ def _material(name: str) -> Json:
     empty: Json = {f"{kind}Properties": {} for kind in ("float", "vector", "texture")}
     empty |= {"keywordMap": {}, "tagMap": {}}
     return {"name": name, "renderQueue": 2000, "shader": "VRM_USE_GLTFSHADER", **empty}
+
+
+def unity_name(bone: str) -> str:
+    """Unity's name (`HumanBodyBones`, as VMC and VRM 0.x have it) for a bone of VRM 1.0: the thumb's are others."""
+    name = THUMBS.get(bone, bone)
+    return name[0].upper() + name[1:]

@@ -9,14 +9,16 @@ from scipy.spatial.transform import Rotation
 
 from omote.arrays import Floats, Points, Values
 from omote.model.body.pose import STAND
-from omote.model.body.pose_regions import region_bones
+from omote.model.body.pose_regions import POSE_REGIONS, region_bones
 from omote.model.body.skeleton import Skeleton
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.figures.figure import pose_figure, resting_figure, skin_figure, turn_head
 from omote.perform.figures.figure_axes import FACES_OWN, mixed_bodies
+from omote.perform.figures.packed_pose import unpack_pose
 from omote.perform.figures.pose_mix import MixedPose, mix_poses
-from omote.perform.frame import Frame, Head
+from omote.perform.figures.tracked_body import with_tracked
+from omote.perform.frame import Frame, Head, TrackedPose
 
 
 def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
@@ -60,14 +62,22 @@ def evaluate_figure(cast: Cast, frame: Frame) -> Floats:
     resting = resting_figure(cast.figures, bodies, head, _mixed_faces(cast, frame))
     poses = ({STAND: 1.0}, {}) if on is None else (on.poses, on.regions)
     mixed = mix_poses(cast.poses, *poses, region_bones(space.skeleton), frame.idle)
-    posed = turned_pose(space.skeleton, mixed, frame.head)
+    posed = turned_pose(space.skeleton, mixed, frame.head, None if on is None else on.tracked)
     return skin_figure(space, resting, pose_figure(space, resting, posed))
 
 
-def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head) -> MixedPose:
-    """A pose with the head's own direction, which neck and spine share. skeleton: of the figure; pose: of
-    `mix_poses`; head: its direction."""
-    return replace(pose, turns=turn_head(skeleton, pose.turns, turn_of(head)))
+def turned_pose(skeleton: Skeleton, pose: MixedPose, head: Head, tracked: TrackedPose | None = None) -> MixedPose:
+    """A pose with a tracked body in its place, and with the head's own direction, which neck and spine share.
+
+    skeleton: of the figure; pose: of `mix_poses`; head: its direction; tracked: as of `FigureFrame`.
+    """
+    trunk = 0.0
+    if tracked is not None:
+        bones = region_bones(skeleton)
+        numbers = unpack_pose(tracked.pose, len(skeleton.names))
+        pose = with_tracked(pose, tracked.shares, numbers, tuple(bones[region] for region in POSE_REGIONS))
+        trunk = tracked.shares[POSE_REGIONS.index("trunk")]
+    return replace(pose, turns=turn_head(skeleton, pose.turns, turn_of(head), trunk))
 
 
 def turn_of(head: Head) -> Values:

@@ -9,7 +9,9 @@ from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import PoseRegion
 from omote.perform import axis
 from omote.perform.axis import Axis
+from omote.perform.figures.tracked_body import TrackedBody, advance_body, tracked_pose
 from omote.perform.frame import FigureFrame, with_fields
+from omote.perform.layers.layer_names import LayerName
 from omote.perform.mix import Weights, combine
 
 FACES_OWN = "own"
@@ -18,23 +20,30 @@ FACES_OWN = "own"
 
 @dataclass(frozen=True)
 class FigureAxes:
-    """pose: of the whole figure; regions: of those that go their own way; body: bodies and `FACES_OWN`."""
+    """pose: of the whole figure; regions: of those that go their own way; body: bodies and `FACES_OWN`; tracked: the
+    body of a performer whom a source sees."""
 
     pose: Axis = field(default_factory=lambda: Axis(STAND))
     regions: Mapping[PoseRegion, Axis] = field(default_factory=dict)
     body: Axis = field(default_factory=lambda: Axis(FACES_OWN))
+    tracked: TrackedBody | None = None
 
 
 AT_REST = FigureAxes()
 
 
-def advance_figure(figure: FigureAxes | None, dt: float) -> FigureAxes | None:
-    """The figure `dt` seconds later; None where it has come to rest."""
+def advance_figure(
+    figure: FigureAxes | None, dt: float, is_on: Callable[[LayerName], bool] = lambda _: True
+) -> FigureAxes | None:
+    """The figure `dt` seconds later; None where it has come to rest. is_on: whether a layer plays, by which a body is
+    tracked."""
     if figure is None:
         return None
     pose = axis.advanced(figure.pose, dt)
     regions = axis.advance_regions(figure.regions, pose, dt) if figure.regions else figure.regions
-    later = with_fields(figure, pose=pose, regions=regions, body=axis.advanced(figure.body, dt))
+    on = figure.tracked
+    tracked = None if on is None else advance_body(on, dt, on=is_on(on.layer))
+    later = with_fields(figure, pose=pose, regions=regions, body=axis.advanced(figure.body, dt), tracked=tracked)
     return None if later == AT_REST else later
 
 
@@ -48,6 +57,7 @@ def figure_frame(figure: FigureAxes) -> FigureFrame:
         region_calls={region: call for region, on in figure.regions.items() if (call := axis.status(on)) is not None},
         body_call=axis.status(figure.body),
         fader=figure.pose.hand,
+        tracked=None if figure.tracked is None else tracked_pose(figure.tracked),
     )
 
 

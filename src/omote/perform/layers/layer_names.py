@@ -17,6 +17,9 @@ LAYERS: tuple[LayerName, ...] = get_args(LayerName)
 LayerPart = Literal["brows", "eyes", "mouth", "rest", "head", "gaze"]
 LAYER_PARTS: tuple[LayerPart, ...] = get_args(LayerPart)
 """What an influence is of: the four play regions, how the head turns and how the eyes turn."""
+RoutePart = Literal[LayerPart, "body"]
+ROUTE_PARTS: tuple[RoutePart, ...] = (*LAYER_PARTS, "body")
+"""What a source can play: those, and the body of its performer, which no layer has numbers of."""
 DRIVEN: tuple[LayerName, ...] = ("breath", "gaze", "blink", "tracker", "lips", "playback")
 """The layers that sources drive; emotion is the mix of called expressions, hands are faders and pads."""
 Rule = Literal["offset", "replace", "fill"]

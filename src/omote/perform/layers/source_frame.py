@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Values
+from omote.model.body.pose_regions import POSE_REGIONS, PoseRegion
 from omote.model.known_names import NEUTRAL
 from omote.perform.channels import GAZE_UNITS
 from omote.perform.frame import Gaze, Head, with_fields
@@ -36,6 +37,15 @@ OWN_SOURCES = (AUTOMATIC, SPEECH, CLIP)
 
 
 @dataclass(frozen=True, eq=False)
+class BodyFrame:
+    """The body of a performer at one instant. numbers: of its pose (`omote.perform.figures.packed_pose`), without the
+    head's own direction; regions: those that are seen."""
+
+    numbers: Values
+    regions: tuple[PoseRegion, ...] = POSE_REGIONS
+
+
+@dataclass(frozen=True, eq=False)
 class SourceFrame:
     """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
 
@@ -45,7 +55,7 @@ class SourceFrame:
     share: of a direct one, how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies
     below shows. route_number: of two that may play the same parts, the higher one has them. part_shares: of a direct
     one that plays expressions too, by regions, how much of each part it takes beside that, and of the whole face last;
-    () for all.
+    () for all. body: of its performer, None where it sends none.
     """
 
     names: tuple[str, ...]
@@ -61,6 +71,7 @@ class SourceFrame:
     share: float = 1.0
     route_number: int = 0
     part_shares: tuple[float, ...] = ()
+    body: BodyFrame | None = None
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:

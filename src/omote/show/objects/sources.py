@@ -7,7 +7,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from omote.perform.layers.layer_names import LayerName, LayerPart
+from omote.model.body.pose_regions import PoseRegion
+from omote.perform.layers.layer_names import LayerName, RoutePart
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.show.declaration import (
     MOST_NAMES,
@@ -53,7 +54,9 @@ class Drive(ClientMessage, frozen=True):
     """One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
     `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
     performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
-    of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows."""
+    of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows. `body`: what the
+    performer's body does, beside where the head looks, as `pose` of the state has it, `b""` for none; `seen`: which
+    regions of it."""
 
     access = "operate"
 
@@ -63,6 +66,8 @@ class Drive(ClientMessage, frozen=True):
     gaze: tuple[float, float] | None = None
     found: bool = True
     share: float = 1.0
+    body: Annotated[bytes, msgspec.Meta(max_length=2048)] = b""
+    seen: Annotated[list[PoseRegion], msgspec.Meta(max_length=5)] = []
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Tells the sources of the session. session: the show; who: the client; now: seconds, monotonic."""
@@ -98,7 +103,7 @@ class RouteSource(SourceSetting, frozen=True):
 
     characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)]
     layer: LayerName
-    regions: Annotated[list[LayerPart], msgspec.Meta(max_length=6)] = []
+    regions: Annotated[list[RoutePart], msgspec.Meta(max_length=7)] = []
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Tells the sources of the session. session: the show; who: the client; now: seconds, monotonic."""
@@ -179,14 +184,14 @@ class SourceIs(ServerMessage, frozen=True):
 class SourceState(msgspec.Struct, frozen=True):
     """A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
     second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
-    `highest`: what was measured, by channel."""
+    `highest`: what was measured, by channel. `body`: it sees a body."""
 
     name: str
     kind: StreamKind
     console: str
     characters: list[str]
     layer: LayerName
-    regions: list[LayerPart]
+    regions: list[RoutePart]
     performer: str
     rate: int
     found: bool
@@ -200,6 +205,7 @@ class SourceState(msgspec.Struct, frozen=True):
     lids: float = 1.0
     neutral: dict[str, float] = {}
     highest: dict[str, float] = {}
+    body: bool = False
 
 
 class Sources(ServerMessage, frozen=True):

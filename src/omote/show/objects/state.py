@@ -150,10 +150,20 @@ class PadPointState(msgspec.Struct, frozen=True):
     plays: bool = True
 
 
-class FigureState(msgspec.Struct, frozen=True):
+class TrackedState(msgspec.Struct, frozen=True):
+    """The body of a performer whom a source sees. `shares`: how much of it shows in the head, the trunk, the left arm,
+    the right arm and the stance, 0..1; `pose`: 16 bits a number, little-endian: the turns of the bones (a step of
+    3.5 / 32767 radians), where the hips and both feet are (3 / 32767 leg lengths), the turns of the feet."""
+
+    shares: list[float]
+    pose: bytes
+
+
+class FigureState(msgspec.Struct, frozen=True, omit_defaults=True):
     """What a figure does. `poses`: the mix, which sums to one, as those of `regions` that do another; `bodies`: the mix
     of bodies, in which "own" stands for those of the faces. `pose_call`, `region_calls`, `body_call`: what is called;
-    `fader`: where the T-bar of the poses stands, 0..1."""
+    `fader`: where the T-bar of the poses stands, 0..1. `tracked`: a performer's body, which shows in place of the mix;
+    it is left out while there is none."""
 
     poses: dict[str, float]
     regions: dict[PoseRegion, dict[str, float]]
@@ -162,6 +172,7 @@ class FigureState(msgspec.Struct, frozen=True):
     region_calls: dict[PoseRegion, CallState]
     body_call: CallState | None
     fader: float
+    tracked: TrackedState | None = None
 
 
 class CharacterState(msgspec.Struct, frozen=True):

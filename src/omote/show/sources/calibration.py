@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.source_frame import check_smoothing
+from omote.perform.layers.source_frame import BodyFrame, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
+from omote.show.sources.mirrored_body import mirrored_body
 
 LEAST_RANGE = 0.2
 """A performer who moved a channel less than this has not shown its range: it counts as the whole."""
@@ -80,6 +81,10 @@ class Measure:
         shaped = np.where(moved < 0.0, -size, size) * self.gain
         shaped = np.where(shaped > high, high, shaped)
         return np.maximum(shaped, np.maximum(low, self.lowest))
+
+    def mirror_body(self, body: BodyFrame | None) -> BodyFrame | None:
+        """A body, mirrored where the source is."""
+        return mirrored_body(body) if self.calibration.mirror and body is not None else body
 
     def turn(self, head: Head | None, gaze: Gaze | None) -> tuple[Head | None, Gaze | None]:
         """A head and a gaze (radians), mirrored where the source is."""

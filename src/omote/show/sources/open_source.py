@@ -8,9 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from omote.arrays import Values
+from omote.model.body.pose_regions import POSE_REGIONS
+from omote.perform.figures.packed_pose import BESIDE_BONES, unpack_pose
 from omote.perform.frame import with_fields
 from omote.perform.layers.layer_names import LayerName
-from omote.perform.layers.source_frame import check_share
+from omote.perform.layers.source_frame import BodyFrame, check_share
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.show.objects.sources import CalibrationStep, Drive, SourceState, SourceValues, StreamKind
 from omote.show.sources.calibration import Calibration, Measure
@@ -33,7 +35,8 @@ class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; rest:
     their running mean; ranging: the largest of each since it has been listened to, of the channels ranged (none: all);
     frames: since the consoles were last told; smoothing: what it asks for itself, seconds; direct: it is smooth
-    already; share: how much of its layer it takes; seen: when it was last known to see somebody; known: since
+    already; body: its newest frame has one;
+    share: how much of its layer it takes; seen: when it was last known to see somebody; known: since
     when consoles know it."""
 
     name: str
@@ -53,6 +56,7 @@ class OpenSource:
     share: float = 1.0
     seen: float = float("inf")
     known: float = float("inf")
+    body: bool = False
 
 
 def read_values(source: OpenSource, frame: Drive) -> Values | None:
@@ -82,16 +86,26 @@ def read_share(source: OpenSource, frame: Drive) -> float:
     return check_share(frame.share)
 
 
-def hear_values(source: OpenSource, sent: Values | None, *, found: bool, share: float) -> OpenSource:
+def read_body(frame: Drive) -> BodyFrame | None:
+    """The body of a frame, None where it has none; ValueError where it is none. frame: what a source sent."""
+    if not frame.body or not frame.seen:
+        return None
+    bones = (len(frame.body) // 2 - BESIDE_BONES) // 3
+    return BodyFrame(unpack_pose(frame.body, bones), tuple(region for region in POSE_REGIONS if region in frame.seen))
+
+
+def hear_values(
+    source: OpenSource, sent: Values | None, *, found: bool, share: float, body: bool = False
+) -> OpenSource:
     """The source after a frame. sent: one value for each channel, None before the first; found: whether it found a
-    face; share: how much of its layer it takes, 0 to 1."""
+    face; share: how much of its layer it takes, 0 to 1; body: whether it has sent a body."""
     ranging = source.ranging
     rest = source.rest
     if found and sent is not None:
         ranging = None if ranging is None else np.maximum(ranging, sent)
         rest = sent if rest is None else rest + REST_SHARE * (sent - rest)
     return with_fields(
-        source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found, share=share
+        source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found, share=share, body=body
     )
 
 
@@ -131,10 +145,11 @@ def source_state(source: OpenSource, route: Route, console: str) -> SourceState:
         console=console,
         characters=list(route.characters),
         layer=route.layer,
-        regions=list(route.parts),
+        regions=route.regions,
         performer=source.performer,
         rate=source.frames,
         found=source.found,
+        body=source.body,
         calibrated=bool(measure.neutral or measure.highest),
         ranging=source.ranging is not None,
         neutral=dict(measure.neutral),

@@ -10,8 +10,8 @@ import numpy as np
 
 from omote.arrays import Values
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, ROUTE_PARTS, RULES, LayerName, check_driven
+from omote.perform.layers.source_frame import AUTOMATIC, BodyFrame, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
 from omote.perform.newest_entries import with_newest
 from omote.perform.scene.character_names import ALL
@@ -39,6 +39,7 @@ from omote.show.sources.open_source import (
     check_channels,
     hear_values,
     measured_by,
+    read_body,
     read_share,
     read_values,
     source_state,
@@ -161,9 +162,10 @@ class OpenSources:
         gaze = None if frame.gaze is None else Gaze(*frame.gaze)
         self._changed = self._changed or frame.found != source.found
         share = read_share(source, frame)
-        self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share)
+        body = read_body(frame)
+        self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share, body=body is not None)
         if sent is not None:
-            self._play(scene, self._open[frame.index], sent, head, gaze)
+            self._play(scene, self._open[frame.index], sent, head, gaze, body)
 
     def end(self, who: str, index: int, scene: Scene) -> None:
         """Ends a source: its layers let go. Refusal where this link (who) has none of that index. scene: what it
@@ -216,7 +218,7 @@ class OpenSources:
             route = self.route(source.name)
             waited = route.waits and source.found and source.seen == now and now - source.known >= QUIET_SECONDS
             if waited and (alone := self._free(scene, route.layer, now)):
-                taken[source.name] = Route(tuple(alone), route.layer, route.parts)
+                taken[source.name] = Route(tuple(alone), route.layer, route.parts, body=route.body)
                 self.set_route(scene, source.name, taken[source.name])
         return taken
 
@@ -227,8 +229,9 @@ class OpenSources:
         for character in asked.characters:
             if character != ALL:
                 check_known(character, scene, "character")
-        parts = tuple(part for part in LAYER_PARTS if part in asked.regions) if asked.regions else LAYER_PARTS
-        self.set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
+        wanted = asked.regions or ROUTE_PARTS
+        parts = tuple(part for part in LAYER_PARTS if part in wanted)
+        self.set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts, body="body" in wanted))
 
     def tune(self, asked: TuneSource, scene: Scene) -> None:
         """Sets how a source is read; ValueError where there is none, or for a number out of its range. asked: the
@@ -313,7 +316,15 @@ class OpenSources:
         route = self.route(name)
         return [character for character in scene if ALL in route.characters or character in route.characters]
 
-    def _play(self, scene: Scene, source: OpenSource, sent: Values, head: Head | None, gaze: Gaze | None) -> None:
+    def _play(
+        self,
+        scene: Scene,
+        source: OpenSource,
+        sent: Values,
+        head: Head | None,
+        gaze: Gaze | None,
+        body: BodyFrame | None,
+    ) -> None:
         route = self.route(source.name)
         low, high = RANGES.get(RULES[route.layer], (CHANNEL_LOWEST, CHANNEL_HIGHEST))
         values = source.measure.weights(sent, low, high)
@@ -323,7 +334,7 @@ class OpenSources:
         frame = SourceFrame(
             source.names, values, head if turned else None, gaze if turned else None, source=source.name,
             found=source.found, parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
-            route_number=route.number,
+            route_number=route.number, body=source.measure.mirror_body(body) if route.body and turned else None,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import msgspec
 
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
+from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart, RoutePart
 from omote.show.sources.calibration import Calibration
 
 MOST_REMEMBERED = 64
@@ -20,13 +20,19 @@ MOST_REMEMBERED = 64
 class Route:
     """Which characters a source drives, on which layer, in which parts of the face. number: of two that play the same,
     the one with the higher number has it; it was routed later. waits: it plays nobody because another did when it came;
-    nobody has said so."""
+    nobody has said so. body: whether its performer's body plays."""
 
     characters: tuple[str, ...] = ()
     layer: LayerName = "tracker"
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     number: int = 0
     waits: bool = False
+    body: bool = True
+
+    @property
+    def regions(self) -> list[RoutePart]:
+        """All that it plays."""
+        return [*self.parts, "body"] if self.body else [*self.parts]
 
 
 @dataclass(frozen=True)
