@@ -8,9 +8,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from omote.arrays import Mask, Values
+from omote.arrays import Values
 from omote.model.body.pose import STAND, Pose
-from omote.model.body.pose_regions import POSE_REGIONS, PoseRegion, region_of_bone
+from omote.model.body.pose_regions import regions_of_bones
 from omote.model.known_names import PLAY_REGIONS, PlayRegion
 from omote.model.space.expression import Title
 from omote.perform.channels import GAZE_UNITS
@@ -18,7 +18,9 @@ from omote.perform.clips.body_columns import BODY_COLUMN, body_columns
 from omote.perform.clips.clip_parts import BODY
 from omote.perform.clips.motion_curve import NEAR, MotionCurve
 from omote.perform.clips.sample import AT_REST, CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, layout_of
+from omote.perform.figures.packed_pose import unpack_pose
 from omote.perform.figures.pose_mix import MixedPose, mix_poses
+from omote.perform.figures.tracked_body import with_tracked
 from omote.perform.frame import Frame
 from omote.perform.layers.columns import GAZE_PART
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, check_part, part_of_channel
@@ -51,7 +53,7 @@ class Shown(Protocol):
 
     @property
     def figure(self) -> Any:
-        """The mix of poses, and those of regions that show another; None while it stands."""
+        """The mix of poses, those of regions that show another, and a body that is tracked; None while it stands."""
 
     @property
     def held(self) -> Any:
@@ -70,7 +72,7 @@ class HasPoses(HasTitles, Protocol):
     """One that says what poses are, too."""
 
     @property
-    def poses(self) -> Mapping[str, Pose]:
+    def poses(self) -> Mapping[str, object]:
         """The poses, by name."""
 
     @property
@@ -126,7 +128,8 @@ class CurveBuilder:
     def __init__(self, cast: HasPoses) -> None:
         self._cast = cast
         self._bodies: dict[int, MixedPose] = {}
-        self._regions = regions_of(cast.bones)
+        self._regions = regions_of_bones(cast.bones)
+        self._poses = {name: pose for name, pose in cast.poses.items() if isinstance(pose, Pose)}
         self._times = array("d")
         self._columns: dict[str, array[float]] = {name: array("d") for name in (*HEAD_COLUMNS, *GAZE_COLUMNS, *AT_REST)}
 
@@ -151,7 +154,7 @@ class CurveBuilder:
             self._columns[name] = array("d", bytes(8 * before))
         for name, column in self._columns.items():
             column.append(values.get(name, 0.0))
-        if shown.figure is not None and self._cast.bones:
+        if shown.figure is not None and STAND in self._poses:
             self._bodies[before] = self._body(shown.figure)
 
     def curve(self) -> MotionCurve:
@@ -163,11 +166,16 @@ class CurveBuilder:
         return with_body(face, self._body_columns()) if self._bodies else face
 
     def _body(self, figure: Any) -> MixedPose:
-        """What poses make of a body, without what it does by itself; those that the cast has not are left out."""
-        poses = self._cast.poses
+        """What shows of a body, without what it does by itself: poses, of which those that the cast has not are left
+        out, and a performer's or a clip's body over them."""
+        poses = self._poses
         whole, regions = known_weights(figure.poses, poses), figure.regions
         own = {region: known_weights(weights, poses) for region, weights in regions.items()}
-        return mix_poses(poses, whole, own, self._regions)
+        mixed = mix_poses(poses, whole, own, self._regions)
+        if figure.tracked is None:
+            return mixed
+        numbers = unpack_pose(figure.tracked.pose, len(self._cast.bones))
+        return with_tracked(mixed, tuple(figure.tracked.shares), numbers, tuple(self._regions.values()))
 
     def _body_columns(self) -> dict[str, Values]:
         """The body's columns; it stands where nothing was called of it."""
@@ -183,12 +191,6 @@ class CurveBuilder:
 def known_weights(weights: Mapping[str, float], poses: Mapping[str, Pose]) -> dict[str, float]:
     """The weights of poses that there are; `STAND` alone where there are none. weights, poses: by name."""
     return {name: weight for name, weight in weights.items() if name in poses} or {STAND: 1.0}
-
-
-def regions_of(bones: Sequence[str]) -> dict[PoseRegion, Mask]:
-    """Which bones (J,) belong to each region of a pose. bones: their names."""
-    of = [region_of_bone(bone) for bone in bones]
-    return {region: np.array([each == region for each in of], bool) for region in POSE_REGIONS}
 
 
 def with_body(curve: MotionCurve, body: Mapping[str, Values]) -> MotionCurve:
