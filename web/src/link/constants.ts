@@ -46,6 +46,8 @@ export const PLAY_REGIONS = ["brows", "eyes", "mouth", "rest"] as const;
 export const LAYERS = ["breath", "gaze", "emotion", "blink", "tracker", "lips", "playback", "hands"] as const;
 /** What an influence of a layer is of. */
 export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as const;
+/** What a clip can give. */
+export const CLIP_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze", "body"] as const;
 /** The springs of a character. */
 export const SPRINGS = ["ears-sway", "ears-flap", "jowls-sway", "cheeks-bounce"] as const;
 /** The faders of a character's skin. */
