@@ -135,7 +135,10 @@ class HumanoidMotion:
 
 
 def check_size(frames: int, bones: int) -> None:
-    """Raises ValueError where motion has no frame, or too many of so many bones, before memory is taken for it."""
+    """Raises ValueError where motion has no frame, or too many, before memory is taken for it.
+
+    frames: how many there are; bones: or other numbers of each.
+    """
     if not frames or frames * max(bones, 1) > MOST_TURNS:
         raise ValueError(
             f"the motion has {frames} frames of {bones} bones; expected some, {MOST_TURNS // max(bones, 1)} at most: "
