@@ -63,7 +63,8 @@ def humanoid_bvh(body: AnimatedBody, rate: float) -> str:
 
     body: what its bones do, and where they are at rest; rate: frames of a second.
     """
-    motion, places = body.motion, body.places
+    motion = body.motion
+    places = body.places
     text = io.StringIO()
     text.write("HIERARCHY\n")
     order: list[int] = []

@@ -208,7 +208,8 @@ class _Curves:
         animation = document.animations[0]
         numbers = 0
         for channel in animation.channels:
-            node, path = channel.target.node, channel.target.path
+            node = channel.target.node
+            path = channel.target.path
             if node is None or path not in _COLUMNS:
                 continue
             sampler = entry(animation.samplers, channel.sampler, "sampler")
@@ -240,7 +241,8 @@ class _Curves:
             return np.asarray(values[last, 1])
         step = keys[before + 1] - keys[before]
         u = ((at - keys[before]) / step)[:, None]
-        first, second = values[before], values[before + 1]
+        first = values[before]
+        second = values[before + 1]
         if kind == "CUBICSPLINE":
             bends = (u**3 - 2 * u**2 + u) * step[:, None] * first[:, 2] + (u**3 - u**2) * step[:, None] * second[:, 0]
             mixed = (2 * u**3 - 3 * u**2 + 1) * first[:, 1] + (3 * u**2 - 2 * u**3) * second[:, 1] + bends

@@ -169,8 +169,8 @@ class CurveBuilder:
         """What shows of a body, without what it does by itself: poses, of which those that the cast has not are left
         out, and a performer's or a clip's body over them."""
         poses = self._poses
-        whole, regions = known_weights(figure.poses, poses), figure.regions
-        own = {region: known_weights(weights, poses) for region, weights in regions.items()}
+        whole = known_weights(figure.poses, poses)
+        own = {region: known_weights(weights, poses) for region, weights in figure.regions.items()}
         mixed = mix_poses(poses, whole, own, self._regions)
         if figure.tracked is None:
             return mixed
