@@ -74,7 +74,39 @@ BLENDER = {
         }.items()
     },
 }  # fmt: skip
-RIGS = {"Mixamo": MIXAMO, "Poser": POSER, "old BVH": OLD, "Rokoko": ROKOKO, "Unity": UNITY, "Blender": BLENDER}
+BIPED = {
+    "hips": "Bip01 Pelvis", "spine": "Bip01 Spine", "chest": "Bip01 Spine1", "neck": "Bip01 Neck", "head": "Bip01 Head",
+    **{
+        f"{side}{ours}": f"Bip01 {side[0].upper()} {theirs}"
+        for side in ("left", "right")
+        for ours, theirs in {
+            "Shoulder": "Clavicle", "UpperArm": "UpperArm", "LowerArm": "Forearm", "Hand": "Hand", "UpperLeg": "Thigh",
+            "LowerLeg": "Calf", "Foot": "Foot", "Toes": "Toe0",
+        }.items()
+    },
+}  # fmt: skip
+CMU = {
+    "hips": "Hips", "spine": "LowerBack", "chest": "Spine", "upperChest": "Spine1", "neck": "Neck", "head": "Head",
+    **{
+        f"{side}{ours}": f"{side.capitalize()}{theirs}"
+        for side in ("left", "right")
+        for ours, theirs in {
+            "Shoulder": "Shoulder", "UpperArm": "Arm", "LowerArm": "ForeArm", "Hand": "Hand", "UpperLeg": "UpLeg",
+            "LowerLeg": "Leg", "Foot": "Foot", "Toes": "ToeBase",
+        }.items()
+    },
+    **{f"{side}ThumbMetacarpal": f"{side[0].upper()}Thumb" for side in ("left", "right")},
+}  # fmt: skip
+RIGS = {
+    "Mixamo": MIXAMO,
+    "Poser": POSER,
+    "old BVH": OLD,
+    "Rokoko": ROKOKO,
+    "Unity": UNITY,
+    "Blender": BLENDER,
+    "3ds Max": BIPED,
+    "CMU": CMU,
+}
 _OFFSETS = {
     "spine": (0, 0.1, 0), "chest": (0, 0.12, 0), "upperChest": (0, 0.1, 0), "neck": (0, 0.14, 0), "head": (0, 0.1, 0),
     "Shoulder": (0.03, 0.1, 0), "UpperArm": (0.12, 0, 0), "LowerArm": (0.28, 0, 0), "Hand": (0.24, 0, 0),

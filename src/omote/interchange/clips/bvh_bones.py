@@ -22,8 +22,8 @@ _LIMBS: Mapping[str, str] = {
     **dict.fromkeys(("foot", "ankle"), "Foot"),
     **dict.fromkeys(("toe", "toes", "toebase", "ball"), "Toes"),
 }
-"""What programs (Mixamo, CMU's by cgspeed, Poser, Rokoko, Unity, Blender, VRM) call the bones of limbs, without the
-side. `shoulder` is either the first or the second bone of an arm, as there are others."""
+"""What programs (Mixamo, CMU's by cgspeed, Poser, Rokoko, Unity, Blender, 3ds Max, VRoid) call the bones of limbs,
+without the side. `shoulder` is either the first or the second bone of an arm, as there are others."""
 _FINGERS = {
     **dict.fromkeys(("thumb", "finger1"), "Thumb"),
     **dict.fromkeys(("index", "pointer", "finger2"), "Index"),
@@ -87,7 +87,7 @@ def _words(name: str) -> tuple[str, str]:
                 side = of
                 words[0] = rest
                 break
-    return side, "".join(words)
+    return side, "".join(words).lstrip("0123456789")
 
 
 def _limbs(joints: Sequence[BvhJoint], named: Sequence[tuple[str, str]]) -> dict[str, int]:

@@ -28,6 +28,8 @@ JUMP_DEGREES = 15.0
 TOES_ASIDE = math.radians(12.0)
 """By which a foot that goes ahead may seem to go aside."""
 _AXES = {"X": 0, "Y": 1, "Z": 2}
+_ALONG = ("Middle", "Index", "Ring", "Little")
+"""The fingers along which a hand goes, the best first."""
 _OUT = {"left": 1.0, "right": -1.0}
 
 
@@ -155,8 +157,10 @@ def _way(joints: Sequence[BvhJoint], bones: Mapping[str, int], rest: Points, bon
     ends = [place for name, place in bones.items() if PARENTS[name] and parent_among(name, bones) == bone]
     if bone.endswith("Hand"):
         side = bone.removesuffix("Hand")
-        ends = [bones[name] for name in (f"{side}MiddleProximal", f"{side}IndexProximal") if name in bones][:1]
-    hanging = ends or [place for place, joint in enumerate(joints) if joint.parent == bones[bone]]
+        ends = [bones[f"{side}{finger}Proximal"] for finger in _ALONG if f"{side}{finger}Proximal" in bones][:1]
+    aside = [place for name, place in bones.items() if "Thumb" in name]
+    below = [place for place, joint in enumerate(joints) if joint.parent == bones[bone]]
+    hanging = ends or [place for place in below if place not in aside]
     ways = [rest[place] - rest[bones[bone]] for place in hanging]
     longest = max(ways, key=np.linalg.norm, default=np.zeros(3))
     length = float(np.linalg.norm(longest))
