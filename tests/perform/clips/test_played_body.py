@@ -13,7 +13,10 @@ from omote.perform.clips.played_body import PlayedBody, wear_body
 from omote.perform.figures.figure_axes import AT_REST, figure_frame
 from omote.perform.figures.packed_pose import BESIDE_BONES, TURN_STEP, pack_pose, unpack_pose
 from omote.perform.frame import TrackedPose, with_fields
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
 from omote.perform.performer import Performer
+from omote.show.objects.clips import StoredClip, clip_of, stored_clip
+from omote.show.objects.documents import read_document
 
 DT = 1.0 / 60.0
 CAST = omote.load_cast()
@@ -95,3 +98,13 @@ def test_a_pass_of_a_body_that_plays_has_the_body() -> None:
     again = Performer(CAST)
     again.play_clip(Clip([Lane(curve)], blend_out=0.0), seconds=0)
     assert np.abs(skin(again.advance(20 * DT)) - skin(shown[20][1])).max() < 2e-4
+
+
+def test_a_clip_of_a_show_file_from_before_bodies_opens_as_it_was() -> None:
+    """Its lanes name six parts, and its columns have places that count the whole face as the seventh."""
+    curve = record(Performer(CAST), CAST, seconds=0.1)
+    before = stored_clip(Clip([Lane(curve, parts=LAYER_PARTS)]))
+    assert max(before.lanes[0].motion.parts) <= WHOLE
+    clip = clip_of(read_document(StoredClip, before.encode()))
+    assert clip.parts == LAYER_PARTS
+    assert (clip.lanes[0].curve.table == curve.table.astype(np.float32)).all()
