@@ -190,5 +190,6 @@ class Recast:
         self.titles = cast.titles
         self.face_labels = cast.face_labels
         self.poses = cast.poses
+        self.bones = cast.bones
         self.bodies = cast.bodies
         self.digest = digest

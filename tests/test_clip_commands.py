@@ -14,6 +14,7 @@ from omote.cli import app
 from omote.clip_commands import telling
 from omote.server.persistence.lock import lock_show
 from tests.inputs.takes.test_live_link_take import HEADER, row
+from tests.interchange.clips.humanoids import MIXAMO, bvh_of, moving
 
 
 def run(*arguments: object) -> Result:
@@ -68,6 +69,28 @@ def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:
         done = run(*arguments)
         assert done.exit_code == 1, arguments
         assert said in done.output, done.output
+
+
+@pytest.mark.parametrize("ending", [".bvh", ".vrma"])
+def test_a_body_comes_in_goes_out_and_comes_in_again(tmp_path: Path, ending: str) -> None:
+    show = tmp_path / "my.omote"
+    walk = tmp_path / "walk.bvh"
+    walk.write_bytes(bvh_of(moving(tuple(MIXAMO), frames=8), MIXAMO))
+    assert run("import", show, walk).exit_code == 0
+    output = tmp_path / f"again{ending}"
+    done = run("export", show, "walk", "-o", output, "--rate", 30, "--face", "heavy")
+    assert done.exit_code == 0, done.output
+    done = run("import", show, output, "--from", "0.1", "--to", "0.2")
+    assert done.exit_code == 0, done.output
+    listed = {clip["name"]: clip for clip in json.loads(run("list", show, "--json").stdout)}
+    assert listed["again"]["parts"] == listed["walk"]["parts"] == "body"
+    assert listed["again"]["seconds"] == 0.1
+    walk.write_text("HIERARCHY")
+    done = run("import", show, walk, "--name", "none")
+    assert done.exit_code == 1
+    assert "the file has no MOTION" in done.output
+    left_out = run("export", show, "walk", "-o", tmp_path / "walk.csv")
+    assert "it moves the body too, which is not in this" in left_out.output
 
 
 def test_several_clips_are_cut_out_of_one_take(show: Path) -> None:

@@ -42,6 +42,7 @@ from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.teeth_cage import ARCH
+from omote.perform.clips.clip_parts import CLIP_PARTS
 from omote.perform.complexion import RANGES, SKIN_FADERS, SKIN_LIMIT
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_action import CueAction
@@ -201,6 +202,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
     "ROUTE_PARTS": ("What a source can play.", ROUTE_PARTS),
+    "CLIP_PARTS": ("What a clip can give.", CLIP_PARTS),
     "SPRINGS": ("The springs of a character.", SPRING_NAMES),
     "SKIN_FADERS": ("The faders of a character's skin.", SKIN_FADERS),
     "SKIN_LIMIT": ("How far a fader of the skin goes.", SKIN_LIMIT),

@@ -12,9 +12,10 @@ import typer
 from omote.file_commands import JsonOption, ShowFileArgument, print_rows
 from omote.recording_commands import FromOption, ToOption
 from omote.take_commands import read_take
-from omote.terminal import escape_controls, exit_on_refusal, fail, say
+from omote.terminal import escape_controls, exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
+    from omote.interchange.clips.body_motion import AnimatedBody
     from omote.interchange.clips.clip_frames import ClipFrames
     from omote.model.cast import Cast
     from omote.perform.clips.clip import Clip
@@ -24,6 +25,10 @@ CSV = ".csv"
 GLB = ".glb"
 VRMA = ".vrma"
 BVH = ".bvh"
+MOTIONS = (VRMA, BVH)
+"""What holds the motion of a body, by its ending."""
+FACE_PARTS = ("brows", "eyes", "mouth", "rest", "gaze")
+NO_BODY = "it moves the body too, which is not in this: write .vrma or .bvh"
 EACH = 60
 """Frames after which it is said how many are drawn."""
 FORMATS = {CSV: b"Timecode", GLB: b"glTF", VRMA: b"glTF", BVH: b"HIERARCHY"}
@@ -53,10 +58,12 @@ def export_clip(
     output: Annotated[
         Path,
         typer.Option(
-            "--output", "-o", help="What to write: .csv (Live Link Face), .glb (a head), .vrma, .bvh (head and eyes)."
+            "--output",
+            "-o",
+            help="What to write: .csv (Live Link Face), .glb (a head), .vrma, .bvh (body, or head and eyes).",
         ),
     ],
-    face: Annotated[str, typer.Option(help="Of a GLB: the face that wears it.")] = "generic",
+    face: Annotated[str, typer.Option(help="The face that wears it, with its own body.")] = "generic",
     rate: Annotated[float, typer.Option(help="Frames of a second, 1 to 240; of a CSV 60.")] = 60.0,
     force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
 ) -> None:
@@ -76,7 +83,7 @@ def export_clip(
         from omote.interchange.clips.clip_frames import sample_clip
 
         frames = sample_clip(clip, rate=rate)
-        data, notes = encode_clip(inspection, frames, name, kind, face)
+        data, notes = encode_clip(inspection, clip, frames, name, kind, face)
         write_whole(output, data)
     for note in notes:
         say(escape_controls(f"{name}: {note}."))
@@ -87,7 +94,11 @@ def export_clip(
 def import_clip(
     file: ShowFileArgument,
     take: Annotated[
-        Path, typer.Argument(help="A recording: Live Link Face (.csv), packets (.pcap, .pcapng), VMC packets (.json).")
+        Path,
+        typer.Argument(
+            help="A recording: Live Link Face (.csv), packets (.pcap, .pcapng), VMC packets (.json); or the motion of "
+            "a body: BVH (.bvh), VRM Animation (.vrma)."
+        ),
     ],
     name: Annotated[str, typer.Option(help="What to call the clip; as the file without it.")] = "",
     begin: FromOption = 0.0,
@@ -95,9 +106,9 @@ def import_clip(
     protocol: Annotated[str, typer.Option(help="What packets are, as of omote play-take.")] = "",
 ) -> None:
     """Takes a recording, or a part of it, into a show file that no show plays, as a clip."""
-    read = read_take(take, protocol)
-    from omote.builtin import load_cast
-    from omote.inputs.takes.take_clip import clip_of_take
+    made = (
+        import_motion(take, begin, end) if take.suffix.lower() in MOTIONS else import_take(take, protocol, begin, end)
+    )
     from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
     from omote.server.persistence.offline_show import open_offline_show
     from omote.show.clips.show_clips import name_new_clip
@@ -107,9 +118,52 @@ def import_clip(
     with exit_on_refusal(), open_offline_show(file, new=True, instead=WHILE_IT_RUNS) as show:
         there = show.stored().documents.get(StoredClip.kind, {})
         called = name_new_clip(name or take.stem[:LONGEST_CLIP_NAME], there)
-        clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME], start=begin, stop=end)
+        clip = made()
         show.apply([StoredDocument(StoredClip.kind, called, stored_clip(clip).encode())])
     say(escape_controls(f"{file} has the clip {called}, {clip.seconds:.2f} s."))
+
+
+def import_take(take: Path, protocol: str, begin: float, end: float | None) -> Callable[[], Clip]:
+    """Reads a recording of a tracker and gives what makes its clip; ends the command where it cannot be read.
+
+    take: its file; protocol: of packets; begin, end: seconds of it.
+    """
+    read = read_take(take, protocol)
+
+    def make() -> Clip:
+        from omote.builtin import load_cast
+        from omote.inputs.takes.take_clip import clip_of_take
+        from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
+
+        return clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME], start=begin, stop=end)
+
+    return make
+
+
+def import_motion(file: Path, begin: float, end: float | None) -> Callable[[], Clip]:
+    """Reads the motion of a body and gives what makes its clip, saying what is otherwise than in the file; ends the
+    command where it cannot be read.
+
+    file: of the motion; begin, end: seconds of it.
+    """
+    from omote.interchange.clips.motion_files import read_motion
+
+    try:
+        motion = read_motion(file.name, file.read_bytes())
+    except (OSError, ValueError) as error:
+        fail_with(error if isinstance(error, OSError) else ValueError(f"{file}: {error}"))
+
+    def make() -> Clip:
+        from omote.builtin import load_cast
+        from omote.interchange.clips.motion_clip import clip_of_motion
+        from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
+
+        clip, notes = clip_of_motion(motion, load_cast(), lane=file.stem[:LONGEST_CLIP_NAME], start=begin, stop=end)
+        for note in notes:
+            say(escape_controls(f"{file.name}: {note}."))
+        return clip
+
+    return make
 
 
 @clip_app.command("render")
@@ -216,31 +270,57 @@ def clips_in(inspection: Inspection) -> Mapping[str, Clip]:
 
 
 def encode_clip(
-    inspection: Inspection, frames: ClipFrames, name: str, kind: str, face: str
+    inspection: Inspection, clip: Clip, frames: ClipFrames, name: str, kind: str, face: str
 ) -> tuple[bytes, tuple[str, ...]]:
     """A clip as the bytes of a file, and what of it the format cannot say, in sentences.
 
-    inspection: of its show file; frames: of the clip, which is called `name`; kind: the ending; face: of a GLB.
+    inspection: of its show file; clip, frames: what is called `name`; kind: the ending; face: who wears it.
     """
     from omote.export_commands import load_full_cast
 
-    if kind == BVH:
-        from omote.interchange.clips.bvh_writer import bvh_text
-
-        return bvh_text(frames).encode(), ()
+    whole = "body" in clip.parts
     if kind == CSV:
         from omote.inputs.takes.live_link_writer import live_link_csv
 
         text, notes = live_link_csv(frames)
-        return text.encode(), notes
-    cast = load_full_cast(inspection)
-    if kind == VRMA:
-        from omote.interchange.avatar.preset_expressions import custom_expressions
-        from omote.interchange.clips.glb_animation import vrm_animation
+        return text.encode(), (*notes, *([NO_BODY] if whole else []))
+    if kind == BVH and not whole:
+        from omote.interchange.clips.bvh_writer import bvh_text
 
-        customs = {ours: theirs for theirs, ours in custom_expressions(cast, ()).items()}
-        return vrm_animation(frames, customs, name=name), frames.notes
-    return encode_head(inspection, cast, frames, name, face), frames.notes
+        return bvh_text(frames).encode(), ()
+    cast = load_full_cast(inspection)
+    if kind == GLB:
+        notes = (*frames.notes, *([NO_BODY] if whole else []))
+        return encode_head(inspection, cast, frames, name, face), notes
+    body = body_of(inspection, cast, clip, frames, face) if whole else None
+    if kind == BVH:
+        from omote.interchange.clips.bvh_writer import humanoid_bvh
+
+        assert body is not None
+        notes = ("a BVH has no expressions and no gaze",) if any(part in clip.parts for part in FACE_PARTS) else ()
+        return humanoid_bvh(body, frames.rate).encode(), notes
+    from omote.interchange.avatar.preset_expressions import custom_expressions
+    from omote.interchange.clips.glb_animation import vrm_animation
+
+    customs = {ours: theirs for theirs, ours in custom_expressions(cast, ()).items()}
+    return vrm_animation(frames, customs, name=name, body=body), frames.notes
+
+
+def body_of(inspection: Inspection, cast: Cast, clip: Clip, frames: ClipFrames, face: str) -> AnimatedBody:
+    """The body of a clip on the body of a face.
+
+    inspection: of the show file; cast: the full one; clip, frames: with a body; face: of the cast.
+    """
+    from omote.interchange.avatar.humanoid_pose import rest_humanoid
+    from omote.interchange.clips.body_motion import animated_body
+    from omote.stage_data.full_cast import find_face
+
+    worn = find_face(cast, inspection.stored, face)
+    name = worn if worn in cast.bodies else next(iter(cast.bodies))
+    if cast.figures is None:
+        raise ValueError("this cast has no bodies, so a clip of one has nobody who wears it")
+    rest = rest_humanoid(cast.figures, {name: 1.0}, {name: cast.faces[worn].positions})
+    return animated_body(clip, frames, rest)
 
 
 def encode_head(inspection: Inspection, cast: Cast, frames: ClipFrames, name: str, face: str) -> bytes:

@@ -229,18 +229,18 @@ def cut_clip(
     begin: FromOption = 0.0,
     end: ToOption = None,
     name: Annotated[str, typer.Option("--recording", help="A recording that was kept; else the last start.")] = "",
-    parts: Annotated[str, typer.Option(help="Only these: brows,eyes,mouth,rest,head,gaze.")] = "",
+    parts: Annotated[str, typer.Option(help="Only these: brows,eyes,mouth,rest,head,gaze,body.")] = "",
     lane: Annotated[str, typer.Option(help="What to call the lane.")] = "",
     start: StartOption = None,
 ) -> None:
     """Cuts a motion clip from what was recorded, into a show file that no show plays."""
-    from omote.perform.layers.layer_names import LAYER_PARTS
+    from omote.perform.clips.clip_parts import CLIP_PARTS
     from omote.perform.limits import check_known
     from omote.server.recording.recorded_clip import keep_clip
 
     with opened(file) as (show, _):
         span = cut(show, name, start, begin, end)
-        wanted = [check_known(part.strip(), LAYER_PARTS, "part") for part in parts.split(",") if part.strip()]
+        wanted = [check_known(part.strip(), CLIP_PARTS, "part") for part in parts.split(",") if part.strip()]
         made = keep_clip(file, show, span, character, clip, parts=wanted, lane=lane)
     say(escape_controls(f"{file} has the clip {clip}, {made.seconds:.2f} s, {len(made.lanes)} lanes."))
 

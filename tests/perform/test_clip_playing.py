@@ -234,7 +234,7 @@ def test_hands_stay_above_clips(people: Cast) -> None:
 
 REJECTED: dict[str, Any] = {
     "give an omote.Clip": ("a clip", {}),
-    "no region of a layer 'nose'": (None, {"weights": {"nose": 1.0}}),
+    "no part of a clip 'nose'": (None, {"weights": {"nose": 1.0}}),
     "the weight of a clip on mouth is 2": (None, {"weights": {"mouth": 2.0}}),
     "the speed of a clip is 0": (None, {"speed": 0.0}),
     "it cannot begin at 5 s": (None, {"start": 5.0}),

@@ -251,6 +251,17 @@ class Cast:
         return {} if self.figures is None else self.figures.poses
 
     @property
+    def bones(self) -> tuple[str, ...]:
+        """The bones of its figures, in the order in which poses turn them; none without figures.
+
+        Examples
+        --------
+        >>> cast.bones[0]
+        'root'
+        """
+        return () if self.figures is None else self.figures.space.skeleton.names
+
+    @property
     def bodies(self) -> Mapping[str, Body]:
         """The bodies of its figures, by name; none without figures.
 

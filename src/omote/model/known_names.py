@@ -17,9 +17,9 @@ NEUTRAL = "neutral"
 UNIT_NOUNS = ("expression", "channel")
 """What may be named by an action unit of FACS too."""
 _FIXED = (
-    "gesture", "kind of timing", "kind of what eyes look at", "language", "layer", "part", "region of a layer",
-    "part of a character to hold", "spring", "fader of the skin", "step", "tracker", "viseme", "way to send a face",
-    "cue of this list", "part of this cue", "way to go on after a cue",
+    "gesture", "kind of timing", "kind of what eyes look at", "language", "layer", "part", "part of a clip",
+    "region of a layer", "part of a character to hold", "spring", "fader of the skin", "step", "tracker", "viseme",
+    "way to send a face", "cue of this list", "part of this cue", "way to go on after a cue",
     "lane of this clip",
 )  # fmt: skip
 PLACES: Mapping[str, str] = {

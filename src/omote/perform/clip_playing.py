@@ -20,10 +20,12 @@ from omote.perform.clips.clip_runs import (
     sound_of_run,
     stopped,
 )
-from omote.perform.clips.sample import CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, PLACES, Layout, Sample
-from omote.perform.frame import ClipStatus, Gaze, Head, with_fields
+from omote.perform.clips.played_body import PlayedBodies, PlayedBody, wear_body
+from omote.perform.clips.sample import CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, Layout, Sample
+from omote.perform.frame import ClipStatus, Frame, Gaze, Head, with_fields
 from omote.perform.layers.layer_mix import CLIP_LAYER, NO_MIXES, Mixes
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, WHOLE, LayerName, LayerPart
+from omote.perform.layers.layer_vectors import Layers
 from omote.perform.layers.source_frame import CLIP, SourceFrame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.mix import HIGHEST, LOWEST
@@ -34,9 +36,9 @@ NO_CLIPS: Mapping[int, Clip] = {}
 
 class WornLayout:
     """Which columns of a layout a cast has, and what of it is left out. layout: of a motion; expressions: the cast's,
-    by name."""
+    by name; bones: of its figures."""
 
-    def __init__(self, layout: Layout, expressions: Mapping[str, Expression]) -> None:
+    def __init__(self, layout: Layout, expressions: Mapping[str, Expression], bones: Sequence[str] = ()) -> None:
         index = {column: place for place, column in enumerate(layout.columns)}
         named = [(column, *column.split("/", 1)) for column in layout.columns]
         worn = [(index[column], name) for column, part, name in named if part == CHANNEL and name in expressions]
@@ -50,6 +52,7 @@ class WornLayout:
             }
             for region in PLAY_REGIONS
         }
+        self.bodies = PlayedBodies(layout.columns, bones)
         self.head = [index[column] for column in HEAD_COLUMNS if column in index]
         self.gaze = [index[column] for column in GAZE_COLUMNS if column in index]
         is_named = {CHANNEL, *PLAY_REGIONS}
@@ -58,7 +61,7 @@ class WornLayout:
     def frame(self, sample: Sample, parts: tuple[LayerPart, ...]) -> SourceFrame:
         """The frame of channels, head and gaze. sample: of this layout; parts: those that it may play."""
         values = sample.values
-        shares = np.clip(sample.shares, 0.0, 1.0).tolist()
+        shares = np.clip(sample.shares[: WHOLE + 1], 0.0, 1.0).tolist()
         head = None
         if self.head:
             head = Head(
@@ -112,6 +115,8 @@ class ClipPlaying(PadPlaying):
     _worn: dict[Layout, WornLayout]
     _mixes: Mixes = NO_MIXES
     _played: SourceFrame | None = None
+    _body: PlayedBody | None = None
+    _layers: Layers | None
 
     def play_clip(
         self,
@@ -145,8 +150,8 @@ class ClipPlaying(PadPlaying):
         loop : bool, optional
             Whether it begins again at its end; as the clip says without it.
         weights : mapping of float, optional
-            How much of it shows in brows, eyes, mouth, rest, head and gaze, 0 to 1; what is not named is left alone.
-            All of it without them.
+            How much of it shows in brows, eyes, mouth, rest, head, gaze and body, 0 to 1; what is not named is left
+            alone. All of it without them.
         pace : float, optional
             As of `Scene.call_goal`.
 
@@ -305,10 +310,11 @@ class ClipPlaying(PadPlaying):
             frame = worn.frame(sample, tuple(part for part in LAYER_PARTS if part in played))
             self._played = frame
             self._mixes = worn.mixes_of(sample)
+            self._body = worn.bodies.body(sample)
             self.drive_layer(CLIP_LAYER, frame)
             return
         if self._played is not None:  # nothing of it shows from now on, even of one that was cut
-            self.drive_layer(CLIP_LAYER, replace(self._played, part_shares=(0.0,) * PLACES))
+            self.drive_layer(CLIP_LAYER, replace(self._played, part_shares=(0.0,) * (WHOLE + 1)))
         self.leave_layer(CLIP_LAYER, CLIP)
         self._forget_clips()
 
@@ -317,11 +323,25 @@ class ClipPlaying(PadPlaying):
         self._clips = NO_CLIPS
         self._mixes = NO_MIXES
         self._played = None
+        self._body = None
+
+    def _with_body(self, frame: Frame) -> Frame:
+        """A frame with the body that clips play, as much as their layer shows of all parts."""
+        body = self._body_on_air()
+        return frame if body is None else with_fields(frame, figure=wear_body(frame.figure, body))
+
+    def _body_on_air(self) -> PlayedBody | None:
+        """The body that clips play, as much as their layer shows of all parts; None where nothing of it does."""
+        if self._body is None:
+            return None
+        setting = DEFAULT_SETTINGS[CLIP_LAYER] if self._layers is None else self._layers.settings[CLIP_LAYER]
+        share = self._body.share * (sum(setting.by_part) / len(LAYER_PARTS) if setting.on else 0.0)
+        return replace(self._body, share=share) if share else None
 
     def _wear(self, layout: Layout) -> WornLayout:
         worn = self._worn.get(layout)
         if worn is None:
-            worn = self._worn[layout] = WornLayout(layout, self._cast.expressions)
+            worn = self._worn[layout] = WornLayout(layout, self._cast.expressions, self._cast.bones)
         return worn
 
     def _clip_statuses(self) -> tuple[ClipStatus, ...]:

@@ -11,9 +11,10 @@ from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, advance_regions, call_regions
 from omote.perform.body_playing import BodyPlaying
+from omote.perform.clips.played_body import left_body
 from omote.perform.complexion import calm_skin
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.figures.figure_axes import advance_figure, figure_frame, halt_figure
+from omote.perform.figures.figure_axes import AT_REST, advance_figure, figure_frame, halt_figure
 from omote.perform.figures.packed_pose import pose_numbers
 from omote.perform.frame import NO_IDLE, NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
@@ -626,6 +627,7 @@ class Performer(BodyPlaying):
         frame = _frame(now, held, self._macros)
         if now.clips:
             frame = with_fields(frame, clips=self._clip_statuses())
+            frame = self._with_body(frame)
         if now.pads:
             frame = with_fields(frame, pads=self._pad_statuses())
         if self._layers is not None:
@@ -650,6 +652,9 @@ class Performer(BodyPlaying):
         speed. now: as it is; later: what would show a moment later."""
         if not now.clips:
             return now
+        body = self._body_on_air()
+        if body is not None:
+            now = replace(now, figure=replace(now.figure or AT_REST, tracked=left_body(body)))
         if not self._mixes:
             return replace(now, clips=())
         frame = self._frame_without_gestures()

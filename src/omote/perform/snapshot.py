@@ -67,6 +67,10 @@ class Playable(Protocol):
         """The poses, whatever stands for them."""
 
     @property
+    def bones(self) -> tuple[str, ...]:
+        """The bones that poses turn, in their order; none without figures."""
+
+    @property
     def bodies(self) -> Mapping[str, object]:
         """The bodies, whatever stands for them."""
 

@@ -52,7 +52,7 @@ class ClipPoses:
         shown = self._performer.advance(0.0)
         return Frame(  # of all else, as how often something was played, a picture shows nothing
             faces=shown.faces, expressions=shown.expressions, channels=shown.channels, head=shown.head, gaze=shown.gaze,
-            regions=shown.regions, complexion=complexion_of(self._expressions, shown),
+            regions=shown.regions, figure=shown.figure, complexion=complexion_of(self._expressions, shown),
         )  # fmt: skip
 
 

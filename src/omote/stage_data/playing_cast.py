@@ -117,6 +117,11 @@ class PlayingCast:
         """The bodies that can be called."""
         return self.base.bodies
 
+    @property
+    def bones(self) -> tuple[str, ...]:
+        """The bones that poses turn, in their order."""
+        return self.base.bones
+
     @cached_property
     def digest(self) -> str:
         """The digest of this cast: the built-in cast's where there are no own items."""

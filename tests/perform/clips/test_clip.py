@@ -113,7 +113,7 @@ REJECTED: dict[str, Any] = {
     "a clip has 17 lanes": lambda: Clip([Lane(curve(1))] * 17),
     "ends at 1 s, where it has not begun": lambda: Clip([Lane(curve(1))], start=1.0, stop=1.0),
     "the weight of a lane is 2": lambda: Lane(curve(1), weight=2.0),
-    "no region of a layer 'nose'": lambda: Lane(curve(1), parts=("nose",)),  # type: ignore[arg-type]
+    "no part of a clip 'nose'": lambda: Lane(curve(1), parts=("nose",)),  # type: ignore[arg-type]
     "the name of a lane is": lambda: Lane(curve(1), "x" * 41),
     "a lane has 33 spans": lambda: Lane(curve(1), spans=(Span(0.0, 1.0, curve(1)),) * 33),
     "the end of a span": lambda: Span(1.0, 0.5, curve(1)),

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.clips.sample import PLACES, Sample, empty_sample, lay_over
+from omote.perform.clips.clip_parts import PLACES
+from omote.perform.clips.sample import Sample, empty_sample, lay_over
 from tests.perform.clips.curves import curve, same
 
 shares = st.lists(st.sampled_from([0.0, 0.25, 1.0]), min_size=PLACES, max_size=PLACES).map(np.array)

@@ -213,7 +213,7 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(cast: Cast) -> None:
         "no pass of one is recorded": (wire.KeepPass, "one"),
         "there is no character 'two'": (wire.RecordClip, "two", "line2"),
         "where a pass begins (seconds of the clip) is 9": (wire.RecordClip, "one", "line1", [], "", "", 9.0),
-        "no region of a layer": (wire.EditLane, "line1", "1", None, ["nose"]),
+        "no part of a clip": (wire.EditLane, "line1", "1", None, ["nose"]),
     }
     for said, (kind, *values) in refused.items():
         assert said in reason(show.send(kind, *values)), said

@@ -48,6 +48,8 @@ export const LAYERS = ["breath", "gaze", "emotion", "blink", "tracker", "lips", 
 export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as const;
 /** What a source can play. */
 export const ROUTE_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze", "body"] as const;
+/** What a clip can give. */
+export const CLIP_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze", "body"] as const;
 /** The springs of a character. */
 export const SPRINGS = ["ears-sway", "ears-flap", "jowls-sway", "cheeks-bounce"] as const;
 /** The faders of a character's skin. */

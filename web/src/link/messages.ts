@@ -247,7 +247,7 @@ export type Clips = { type: "clips"; names: string[] };
 export type ClipPass = {
   character: string;
   name: string;
-  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[];
   lane: string;
   by: string;
   began: number;
@@ -268,7 +268,7 @@ export type ClipWork = { type: "clip_work"; passes: ClipPass[]; edits: number };
  */
 export type LaneOutline = {
   name: string;
-  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[];
   weight: number;
   muted: boolean;
   shift: number;
@@ -332,7 +332,7 @@ export type RecordClip = {
   id: string;
   character: string;
   name: string;
-  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[];
   lane?: string;
   sound?: string;
   start?: number | null;
@@ -372,7 +372,7 @@ export type EditLane = {
   name: string;
   lane: string;
   to?: string | null;
-  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[] | null;
+  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | "body")[] | null;
   weight?: number | null;
   muted?: boolean | null;
   shift?: number | null;

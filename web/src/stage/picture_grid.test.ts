@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { layOut, type PictureGrid } from "./picture_grid";
+import { layOut, type PictureGrid, wholePose } from "./picture_grid";
 
 const grid = (rows: number, columns: number, changes: Partial<PictureGrid> = {}): PictureGrid => ({
   poses: Array.from({ length: rows }, () => Array.from({ length: columns }, () => ({}))),
@@ -35,5 +35,19 @@ describe("a sheet", () => {
     expect(layout.part).toEqual([50, 200, 100, 100]);
     expect(layout.corner(1, 1)).toEqual([101, 101]);
     expect([layout.width, layout.height]).toEqual([201, 201]);
+  });
+});
+
+describe("wholePose", () => {
+  it("has the bytes of a body that come as base64, and all else as it is", () => {
+    const figure = {
+      poses: { stand: 1 },
+      regions: {},
+      bodies: { own: 1 },
+      tracked: { shares: [1], pose: btoa("\x01\xff") },
+    };
+    const whole = wholePose({ figure } as unknown as Parameters<typeof wholePose>[0]);
+    expect(whole.figure).toEqual({ ...figure, tracked: { shares: [1], pose: new Uint8Array([1, 255]) } });
+    expect(wholePose({}).figure).toEqual(wholePose({ head: [0, 0, 0] }).figure);
   });
 });

@@ -73,8 +73,14 @@ export async function drawPictureGrid(
   return composer.file();
 }
 
-/** A pose with all that it leaves out at rest. */
-export const wholePose = (pose: Partial<Pose>): Pose => ({ ...restPose("generic"), ...pose });
+/** A pose with all that it leaves out at rest, and the bytes of a body that shows, which come as base64. */
+export function wholePose(pose: Partial<Pose>): Pose {
+  const whole = { ...restPose("generic"), ...pose };
+  const tracked = (whole.figure as { tracked?: { pose: string | Uint8Array } | null } | null | undefined)?.tracked;
+  if (typeof tracked?.pose !== "string") return whole;
+  const bytes = Uint8Array.from(atob(tracked.pose), (letter) => letter.charCodeAt(0));
+  return { ...whole, figure: { ...whole.figure, tracked: { ...tracked, pose: bytes } } } as Pose;
+}
 
 /** A sheet that pictures are pasted into, one after the other, each drawn at `width` x `height`. */
 export class SheetComposer {

@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from omote.arrays import Floats, Values
+from omote.interchange.clips.body_motion import AnimatedBody
 from omote.interchange.clips.clip_frames import ClipFrames
 from omote.interchange.clips.clip_names import quaternions_of
+from omote.interchange.clips.humanoid_motion import HIPS, parent_among
 from omote.interchange.export_face import ExportContext, Meshes, build_scene
 from omote.interchange.formats.glb_writer import FLOAT, GENERATOR, Json, Store, describe_scene, encode_glb
 from omote.model.known_names import NEUTRAL
@@ -78,9 +80,11 @@ def animated_head(
     return encode_glb(document | animation.document(), store)
 
 
-def vrm_animation(frames: ClipFrames, customs: Mapping[str, str], /, *, name: str) -> bytes:
-    """Encodes a clip as a VRM Animation: the head's bone, each expression as a node whose x is its weight, the gaze as
-    the rotation of another.
+def vrm_animation(
+    frames: ClipFrames, customs: Mapping[str, str], /, *, name: str, body: AnimatedBody | None = None
+) -> bytes:
+    """Encodes a clip as a VRM Animation: its bones, each expression as a node whose x is its weight, the gaze as the
+    rotation of another.
 
     Parameters
     ----------
@@ -90,6 +94,8 @@ def vrm_animation(frames: ClipFrames, customs: Mapping[str, str], /, *, name: st
         What an avatar calls expressions and channels that are no presets of VRM: `EyeBlinkLeft`, by our names.
     name : str
         Of the animation.
+    body : AnimatedBody, optional
+        All bones, where the clip has a body; the head's alone without it.
 
     Returns
     -------
@@ -102,15 +108,13 @@ def vrm_animation(frames: ClipFrames, customs: Mapping[str, str], /, *, name: st
     """
     store = Store()
     animation = _Animation(store, frames.times, name)
-    nodes: list[Json] = []
-    bones: dict[str, Json] = {}
-    for bone, height in SPINE:
-        if nodes:
-            nodes[-1]["children"] = [len(nodes)]
-        bones[bone] = {"node": len(nodes)}
-        nodes.append({"name": bone, "translation": [0.0, height, 0.0]})
-    roots = [0]
-    animation.channel(animation.sampler(quaternions_of(frames.head)), bones["head"]["node"], "rotation")
+    nodes = _head_bones() if body is None else _bone_nodes(body)
+    bones = {node["name"]: {"node": place} for place, node in enumerate(nodes)}
+    roots = [bones[HIPS]["node"]]
+    if body is None:
+        animation.channel(animation.sampler(quaternions_of(frames.head)), bones["head"]["node"], "rotation")
+    else:
+        _move_bones(animation, body)
     expressions: dict[str, dict[str, Json]] = {"preset": {}, "custom": {}}
     for ours, values in frames.weights.items():
         if ours in GAZE_UNITS or not values.any():
@@ -121,15 +125,17 @@ def vrm_animation(frames: ClipFrames, customs: Mapping[str, str], /, *, name: st
         moved = np.column_stack([values, np.zeros((len(values), 2))])
         animation.channel(animation.sampler(moved), len(nodes), "translation")
         nodes.append({"name": theirs})
-    roots.append(len(nodes))
-    looks: Json = {"node": len(nodes), "offsetFromHeadBone": [0.0, 0.06, 0.0]}
-    animation.channel(animation.sampler(quaternions_of(frames.gaze)), len(nodes), "rotation")
-    nodes.append({"name": "lookAt"})
+    looks: Json = {}
+    if body is None or frames.gaze.any():
+        roots.append(len(nodes))
+        looks = {"lookAt": {"node": len(nodes), "offsetFromHeadBone": [0.0, 0.06, 0.0]}}
+        animation.channel(animation.sampler(quaternions_of(frames.gaze)), len(nodes), "rotation")
+        nodes.append({"name": "lookAt"})
     extension = {
         "specVersion": VERSION,
         "humanoid": {"humanBones": bones},
         "expressions": {kind: named for kind, named in expressions.items() if named},
-        "lookAt": looks,
+        **looks,
     }
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": GENERATOR},
@@ -140,6 +146,43 @@ def vrm_animation(frames: ClipFrames, customs: Mapping[str, str], /, *, name: st
         "extensionsUsed": [EXTENSION],
     }
     return encode_glb(document | animation.document(), store)
+
+
+def _head_bones() -> list[Json]:
+    """The nodes of the bones that hold a head up."""
+    nodes: list[Json] = [{"name": bone, "translation": [0.0, height, 0.0]} for bone, height in SPINE]
+    for place, node in enumerate(nodes[:-1], 1):
+        node["children"] = [place]
+    return nodes
+
+
+def _bone_nodes(body: AnimatedBody) -> list[Json]:
+    """The nodes of all bones, in the order of their motion."""
+    names = body.motion.names
+    nodes: list[Json] = [
+        {"name": name, "translation": at} for name, at in zip(names, body.places.tolist(), strict=True)
+    ]
+    for place, name in enumerate(names):
+        above = parent_among(name, names)
+        if above:
+            nodes[names.index(above)].setdefault("children", []).append(place)
+    return nodes
+
+
+def _move_bones(animation: _Animation, body: AnimatedBody) -> None:
+    """Turns all bones that ever turn, and moves the hips."""
+    motion = body.motion
+    hips = motion.names.index(HIPS)
+    for place, turns in enumerate(motion.turns.transpose(1, 0, 2)):
+        if np.abs(turns[:, :3]).max() > 0.0:
+            animation.channel(animation.sampler(_continuous(turns)), place, "rotation")
+    animation.channel(animation.sampler(motion.hips * body.leg + body.places[hips]), hips, "translation")
+
+
+def _continuous(turns: Values) -> Values:
+    """Quaternions (n, 4) with signs that never jump, so that programs turn the short way."""
+    flips = np.where((turns[1:] * turns[:-1]).sum(axis=1) < 0.0, -1.0, 1.0)
+    return np.asarray(turns * np.concatenate([[1.0], np.cumprod(flips)])[:, None])
 
 
 class _Animation:

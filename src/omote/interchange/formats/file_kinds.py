@@ -33,6 +33,7 @@ _FITTED = "a face is made of it: omote face {name} -o show.omote, or drop it on 
 _UNREAD: Mapping[str, str] = {
     ".omote": "`omote show` opens it; `omote file import` takes all of it into another show file, which no show plays",
     ".blend": "in Blender, File > Export > glTF 2.0 (.glb) or Stanford PLY (.ply)",
+    **dict.fromkeys((".bvh", ".vrma"), "it is the motion of a body: `omote clip import` takes it into a show file"),
     ".fbx": "export it as .glb or .obj, or open it in Blender and export it from there",
     **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), "export it as .glb or .obj; scanning apps offer that too"),
     **dict.fromkeys((".zip", ".rar", ".7z", ".gz"), "unpack it and give the .obj, .ply or .glb that is in it"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Literal, get_args
 
 import numpy as np
@@ -34,5 +34,10 @@ def region_of_bone(bone: str) -> PoseRegion:
 
 def region_bones(skeleton: Skeleton) -> Mapping[PoseRegion, Mask]:
     """Which bones (J,) belong to each region."""
-    of = [region_of_bone(name) for name in skeleton.names]
-    return {region: np.array([each == region for each in of]) for region in POSE_REGIONS}
+    return regions_of_bones(skeleton.names)
+
+
+def regions_of_bones(names: Sequence[str]) -> Mapping[PoseRegion, Mask]:
+    """Which bones (J,) belong to each region, by their names."""
+    of = [region_of_bone(name) for name in names]
+    return {region: np.array([each == region for each in of], bool) for region in POSE_REGIONS}

@@ -9,10 +9,10 @@ from functools import cached_property, reduce
 import numpy as np
 
 from omote.arrays import Values
+from omote.perform.clips.clip_parts import CLIP_PARTS, ClipPart, check_clip_part
 from omote.perform.clips.motion_curve import LONGEST_CURVE, MotionCurve
 from omote.perform.clips.sample import AT_REST_LAYOUT, Layout, Sample, empty_sample, join_layouts, lay_over, shares_of
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart, check_part
 from omote.perform.limits import check_known, check_switch, check_within
 
 MOST_LANES = 16
@@ -62,7 +62,7 @@ class Lane:
     name : str
         For people, to 40 letters.
     parts : sequence of str
-        Those of brows, eyes, mouth, rest, head and gaze that it gives.
+        Those of brows, eyes, mouth, rest, head, gaze and body that it gives.
     weight : float
         How much of it shows over the lanes below, 0 to 1.
     muted : bool
@@ -93,15 +93,15 @@ class Lane:
 
     curve: MotionCurve
     name: str = ""
-    parts: tuple[LayerPart, ...] = LAYER_PARTS
+    parts: tuple[ClipPart, ...] = CLIP_PARTS
     weight: float = 1.0
     muted: bool = False
     shift: float = 0.0
     spans: tuple[Span, ...] = ()
 
     def __post_init__(self) -> None:
-        chosen = {check_part(part) for part in self.parts}
-        object.__setattr__(self, "parts", tuple(part for part in LAYER_PARTS if part in chosen))
+        chosen = {check_clip_part(part) for part in self.parts}
+        object.__setattr__(self, "parts", tuple(part for part in CLIP_PARTS if part in chosen))
         if not isinstance(self.name, str) or len(self.name) > LONGEST_LANE_NAME:
             raise ValueError(f"the name of a lane is {self.name!r:.60}; give {LONGEST_LANE_NAME} letters at most")
         check_within(self.weight, 0.0, 1.0, "the weight of a lane")
@@ -200,10 +200,10 @@ class Clip:
         return self.end - self.start
 
     @cached_property
-    def parts(self) -> tuple[LayerPart, ...]:
+    def parts(self) -> tuple[ClipPart, ...]:
         """The parts that its lanes give which are not muted."""
         given = {part for lane in self.lanes if not lane.muted for part in lane.parts if part in lane.curve.parts}
-        return tuple(part for part in LAYER_PARTS if part in given)
+        return tuple(part for part in CLIP_PARTS if part in given)
 
     @cached_property
     def layout(self) -> Layout:
@@ -233,7 +233,7 @@ class Clip:
         >>> performer = omote.Performer(cast)
         >>> lane = omote.Lane(record(performer, cast, seconds=1.0), muted=True)
         >>> omote.Clip([lane]).sample(0.5).shares.tolist()
-        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
         """
         time = self.start + position
         whole = empty_sample(self.layout)
@@ -285,7 +285,7 @@ class Clip:
 
 def _shares(lane: Lane, curve: MotionCurve, share: float) -> Values:
     """How much a lane takes of each part at a share of all of it."""
-    given = [share if part in lane.parts and part in curve.parts else 0.0 for part in LAYER_PARTS]
+    given = [share if part in lane.parts and part in curve.parts else 0.0 for part in CLIP_PARTS]
     return shares_of(np.array(given))
 
 
@@ -299,7 +299,7 @@ def _share_of_span(span: Span, time: float) -> float:
 
 def _replaced(shown: Sample, span: Span, time: float, part: float) -> Sample:
     """A lane's sample with as much of a span in it as replaces it: its shares stay."""
-    held = [part if each in span.curve.parts else 0.0 for each in LAYER_PARTS]
+    held = [part if each in span.curve.parts else 0.0 for each in CLIP_PARTS]
     above = Sample(span.curve.layout, span.curve.values(time), shares_of(np.array(held)))
     full = Sample(shown.layout, shown.values, np.ones(len(shown.shares)))
     mixed = lay_over(full, above)

@@ -9,9 +9,9 @@ from functools import reduce
 import numpy as np
 
 from omote.perform.clips.clip import FASTEST, LONGEST_SHIFT, SLOWEST, Clip, blend_at
+from omote.perform.clips.clip_parts import CLIP_PARTS, PLACES, ClipPart, check_clip_part
 from omote.perform.clips.motion_curve import LONGEST_CURVE
-from omote.perform.clips.sample import PLACES, Sample, lay_over, shares_of
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart, check_part
+from omote.perform.clips.sample import Sample, lay_over, shares_of
 from omote.perform.limits import FOREVER, LONGEST_CALL, check_call_seconds, check_within
 
 MOST_RUNS = 8
@@ -32,7 +32,7 @@ class ClipRun:
     clip: str
     position: float
     seconds: float
-    weights: Mapping[LayerPart, float]
+    weights: Mapping[ClipPart, float]
     blend_in: float
     blend_out: float
     loop: bool = False
@@ -94,12 +94,12 @@ def sound_of_run(run: ClipRun, clip: Clip | None) -> RunSound:
     return RunSound(clip.sound, clip.start + run.position - clip.sound_at, turn)
 
 
-def check_weights(weights: Mapping[str, float] | None, parts: tuple[LayerPart, ...]) -> dict[LayerPart, float]:
+def check_weights(weights: Mapping[str, float] | None, parts: tuple[ClipPart, ...]) -> dict[ClipPart, float]:
     """The weight of each part of a clip, 0 to 1; ValueError and TypeError for parts that there are not, and for
     numbers out of range. weights: by part, None for all of them; parts: those that the clip has."""
     if weights is None:
         return dict.fromkeys(parts, 1.0)
-    chosen = {check_part(part): check_within(value, 0.0, 1.0, f"the weight of a clip on {part}")
+    chosen = {check_clip_part(part): check_within(value, 0.0, 1.0, f"the weight of a clip on {part}")
               for part, value in weights.items()}  # fmt: skip
     return {part: chosen[part] for part in parts if chosen.get(part)}
 
@@ -168,7 +168,7 @@ def sample_run(run: ClipRun, clip: Clip) -> Sample:
     if run.loop and seam and into > 0.0:
         found = _blended(found, clip.sample(into), blend_at(into, seam))
     share = run.share
-    held = shares_of(np.array([share * run.weights.get(part, 0.0) for part in LAYER_PARTS]))
+    held = shares_of(np.array([share * run.weights.get(part, 0.0) for part in CLIP_PARTS]))
     return Sample(found.layout, found.values, found.shares * held)
 
 
@@ -188,7 +188,7 @@ def advance_runs(runs: tuple[ClipRun, ...], dt: float) -> tuple[ClipRun, ...]:
     runs: the oldest first; dt: seconds of the show.
     """
     kept: list[ClipRun] = []
-    hidden = set[LayerPart]()
+    hidden = set[ClipPart]()
     for run in (advance_run(each, dt) for each in reversed(runs)):
         weights = {part: weight for part, weight in run.weights.items() if part not in hidden}
         if weights and not run.is_over:
@@ -207,7 +207,7 @@ def check_runs(runs: tuple[ClipRun, ...]) -> tuple[ClipRun, ...]:
             check_within(place, 0.0, FOREVER, "the place in a clip (seconds)")
         check_within(run.seconds, 0.0, LONGEST_CURVE, "the length of a clip (seconds)")
         check_within(run.speed, SLOWEST, FASTEST, "the speed of a clip")
-        check_weights({str(part): weight for part, weight in run.weights.items()}, LAYER_PARTS)
+        check_weights({str(part): weight for part, weight in run.weights.items()}, CLIP_PARTS)
         for seconds in (run.blend_in, run.blend_out, run.going):
             check_within(seconds, 0.0, LONGEST_CALL, "the blend of a clip (seconds)")
         for seconds in (run.come, run.gone or 0.0):

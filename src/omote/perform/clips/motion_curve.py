@@ -12,6 +12,8 @@ import numpy as np
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.perform.channels import GAZE_UNITS
+from omote.perform.clips.body_columns import BODY_COLUMN, TRAVEL_COLUMNS, range_of
+from omote.perform.clips.clip_parts import BODY, CLIP_PARTS, ClipPart
 from omote.perform.clips.sample import AT_REST, CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, Layout, layout_of
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_within
@@ -75,7 +77,7 @@ class MotionCurve:
     def _check_columns(self) -> None:
         if not set(AT_REST) <= set(self.layout.columns):
             raise ValueError(f"a motion has no column {', '.join(sorted(set(AT_REST) - set(self.layout.columns)))}")
-        for turns in (HEAD_COLUMNS, GAZE_COLUMNS):
+        for turns in (HEAD_COLUMNS, GAZE_COLUMNS, TRAVEL_COLUMNS):
             if 0 < len(set(turns) & set(self.layout.columns)) < len(turns):
                 raise ValueError(f"a motion that has one of {', '.join(turns)} has all of them")
         low, high = (np.array(ends) for ends in zip(*map(_range_of, self.layout.columns), strict=True))
@@ -97,11 +99,10 @@ class MotionCurve:
         return self._at[-1]
 
     @cached_property
-    def parts(self) -> tuple[str, ...]:
-        """The parts that it moves: the four regions, head and gaze where it has them."""
-        held = set(self.layout.columns)
-        turned = {"head": HEAD_COLUMNS[0] in held, "gaze": GAZE_COLUMNS[0] in held}
-        return tuple(part for part in LAYER_PARTS if turned.get(part, True))
+    def parts(self) -> tuple[ClipPart, ...]:
+        """The parts that it moves: the four regions, head, gaze and body where it has them."""
+        first = {"head": HEAD_COLUMNS[0], "gaze": GAZE_COLUMNS[0], "body": TRAVEL_COLUMNS[0]}
+        return tuple(part for part in CLIP_PARTS if first.get(part, AT_REST[0]) in self.layout.columns)
 
     def values(self, time: float) -> Values:
         """The numbers of all columns at a time; at that of a frame its own to the bit, outside those of the nearest.
@@ -157,6 +158,7 @@ def make_curve(
     mixes: Mapping[PlayRegion, Mapping[str, Numbers]] | None = None,
     head: Sequence[Sequence[float]] | Values | None = None,
     gaze: Sequence[Sequence[float]] | Values | None = None,
+    body: Mapping[str, Values] | None = None,
 ) -> MotionCurve:
     """The curve of numbers by name.
 
@@ -175,6 +177,8 @@ def make_curve(
         Yaw, pitch and roll of each frame, radians.
     gaze : sequence, optional
         Yaw and pitch of each frame, radians.
+    body : mapping, optional
+        Of `body_columns`.
 
     Returns
     -------
@@ -199,6 +203,7 @@ def make_curve(
         if turns is not None:
             angles = np.asarray(turns, np.float64).reshape(count, len(names))
             columns |= {name: (place, angles[:, at].tolist()) for at, name in enumerate(names)}
+    columns |= {name: (BODY, values) for name, values in (body or {}).items()}
     names = tuple(sorted(columns))
     layout = layout_of(names, tuple(columns[name][0] for name in names))
     return MotionCurve(np.asarray(times), layout, np.array([columns[name][1] for name in names], np.float64).T)
@@ -214,4 +219,9 @@ def _range_of(column: str) -> tuple[float, float]:
         return CHANNEL_LOWEST, 3.0 if name in GAZE_UNITS else CHANNEL_HIGHEST
     if part in PLAY_REGIONS and name:
         return LOWEST, HIGHEST
-    raise ValueError(f"there is no column {column[:80]!r} of a motion; expected channel/NAME, REGION/NAME or an angle")
+    most = range_of(name) if part == BODY_COLUMN else None
+    if most is not None:
+        return -most, most
+    raise ValueError(
+        f"there is no column {column[:80]!r} of a motion; expected channel/NAME, REGION/NAME, body/BONE/x or an angle"
+    )

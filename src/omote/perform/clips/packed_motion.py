@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Values
+from omote.perform.clips.clip_parts import PLACES
 from omote.perform.clips.motion_curve import MOST_COLUMNS, MOST_NUMBERS, MotionCurve
-from omote.perform.clips.sample import PLACES, layout_of
+from omote.perform.clips.sample import layout_of
 
 LEVEL = 6
 TIME = np.dtype("<u8")

@@ -1,7 +1,7 @@
 """What motion has at one instant: numbers by column, how much it takes of each part, and one motion over another.
 
 A column is `channel/jawOpen`, `mouth/joy` (the weight of an expression in the mix of a play region), `head/yaw` or
-`gaze/pitch`. Each belongs to one part of a face, or to the whole of it.
+`gaze/pitch`, or `body/spine05/x` of the body (`body_columns`). Each belongs to one part, or to the whole of a face.
 """
 
 from __future__ import annotations
@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 
 from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
+from omote.perform.clips.clip_parts import BODY, CLIP_PARTS, PLACES
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 
 CHANNEL = "channel"
-PLACES = WHOLE + 1
-"""Of shares: one for each of `LAYER_PARTS`, then that of what acts on the whole face, the mean of its regions."""
 HEAD_COLUMNS = tuple(f"head/{name}" for name in HEAD_LIMITS)
 GAZE_COLUMNS = tuple(f"gaze/{name}" for name in GAZE_LIMITS)
 AT_REST = tuple(f"{region}/{NEUTRAL}" for region in PLAY_REGIONS)
@@ -28,7 +27,7 @@ AT_REST = tuple(f"{region}/{NEUTRAL}" for region in PLAY_REGIONS)
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """The columns of motion, each with the place of its part among `LAYER_PARTS`, `WHOLE` for the whole face; made by
+    """The columns of motion, each with the place of its part (`place_of_part`), `WHOLE` for the whole face; made by
     `layout_of`, so that the same columns are one object."""
 
     columns: tuple[str, ...]
@@ -59,9 +58,11 @@ class Sample:
 
 
 def shares_of(by_part: Values) -> Values:
-    """Shares (`PLACES`,) of shares by part (6,): of the whole face the mean of its regions."""
+    """Shares (`PLACES`,) of shares by part (7,), in the order of `CLIP_PARTS`: of the whole face the mean of its
+    regions."""
     shares = np.empty(PLACES)
-    shares[: len(LAYER_PARTS)] = by_part
+    shares[: len(LAYER_PARTS)] = by_part[: len(LAYER_PARTS)]
+    shares[BODY] = by_part[CLIP_PARTS.index("body")]
     shares[WHOLE] = (by_part[0] + by_part[1] + by_part[2] + by_part[3]) / len(PLAY_REGIONS)
     return shares
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from omote.perform.clips.clip import FASTEST, LONGEST_SHIFT, SLOWEST, Clip
+from omote.perform.clips.clip_parts import CLIP_PARTS
 from omote.perform.clips.clip_runs import ClipRun
-from omote.perform.layers.layer_names import LAYER_PARTS
 from omote.perform.limits import check_within
 
 SETTING = ":"
@@ -17,7 +17,7 @@ SETTING_LIMITS: Mapping[str, tuple[float, float]] = {
     ":start": (0.0, LONGEST_SHIFT),
     ":speed": (SLOWEST, FASTEST),
     ":loop": (0.0, 1.0),
-    **{f"{SETTING}{part}": (0.0, 1.0) for part in LAYER_PARTS},
+    **{f"{SETTING}{part}": (0.0, 1.0) for part in CLIP_PARTS},
 }
 
 
@@ -57,7 +57,7 @@ def clip_of_goal(goal: Mapping[str, float]) -> ClipCall:
     if loop not in (None, 0.0, 1.0):
         raise ValueError(f"the loop of a clip is {loop:g}; expected 1 (again and again) or 0 (once)")
     weights: dict[str, float] = {
-        part: checked[f"{SETTING}{part}"] for part in LAYER_PARTS if f"{SETTING}{part}" in checked
+        part: checked[f"{SETTING}{part}"] for part in CLIP_PARTS if f"{SETTING}{part}" in checked
     }
     return ClipCall(
         names[0], checked.get(":start"), checked.get(":speed"), None if loop is None else bool(loop), weights or None

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from omote.perform.clips.clip import Clip, Lane, with_lane
+from omote.perform.clips.clip_parts import CLIP_PARTS, ClipPart
 from omote.perform.clips.cut_clip import cut_curve
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_known
 from omote.server.persistence.offline_show import open_offline_show
 from omote.server.recording.recorded_show import RecordedShow, Span
@@ -27,7 +27,7 @@ def keep_clip(
     character: str,
     name: str,
     *,
-    parts: Sequence[LayerPart] = (),
+    parts: Sequence[ClipPart] = (),
     lane: str = "",
 ) -> Clip:
     """Cuts a clip and keeps it in the show file.
@@ -45,7 +45,7 @@ def keep_clip(
     name : str
         Of the clip; one that is there gets one more lane, which begins where it begins.
     parts : sequence of str
-        What the lane gives of brows, eyes, mouth, rest, head and gaze; none named: all.
+        What the lane gives of brows, eyes, mouth, rest, head, gaze and body; none named: all.
     lane : str
         What to call it.
 
@@ -61,7 +61,7 @@ def keep_clip(
     ReplayError, ShowFileError, OSError, sqlite3.Error
         Where the recording or the show file cannot be used.
     """
-    made = Lane(curve_of(show, span, character), lane, tuple(parts) or LAYER_PARTS)
+    made = Lane(curve_of(show, span, character), lane, tuple(parts) or CLIP_PARTS)
     with open_offline_show(file) as opened:
         there = opened.stored().documents.get(StoredClip.kind, {})
         if name in there:

@@ -97,6 +97,7 @@ class NamedCast:
     titles: Mapping[str, Any] = field(default_factory=dict)
     face_labels: Mapping[str, str] = field(default_factory=dict)
     poses: Mapping[str, Any] = field(default_factory=dict)
+    bones: tuple[str, ...] = ()
     bodies: Mapping[str, Any] = field(default_factory=dict)
     digest: str = ""
 

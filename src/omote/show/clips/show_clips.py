@@ -9,11 +9,11 @@ from typing import Any
 import msgspec
 
 from omote.perform.clips.clip import Clip, Lane, find_lane, replace_span, with_changed_lane, with_lane
+from omote.perform.clips.clip_parts import CLIP_PARTS, ClipPart
 from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.cut_clip import CurveBuilder
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_free, check_known, check_within
 from omote.perform.scene.clip_goals import SETTING
 from omote.perform.scene.scene import Scene
@@ -45,7 +45,7 @@ class Pass:
     has; speed: seconds of the clip a second of the scene."""
 
     name: str
-    parts: tuple[LayerPart, ...]
+    parts: tuple[ClipPart, ...]
     lane: str
     began: float
     offset: float
@@ -179,14 +179,12 @@ class ShowClips:
             check_room(self.clips)
         return self._with({**self.clips, name: clip})
 
-    def add_pass(
-        self, name: str, curve: MotionCurve, parts: Sequence[LayerPart] = (), lane: str = ""
-    ) -> list[Outgoing]:
+    def add_pass(self, name: str, curve: MotionCurve, parts: Sequence[ClipPart] = (), lane: str = "") -> list[Outgoing]:
         """Keeps motion as a lane over the others of a clip, or as a new clip; returns what consoles are told.
 
         name: of the clip; curve: in the time of the clip; parts: that it gives, none: all; lane: what to call it.
         """
-        made = Lane(rounded(curve), lane, tuple(parts) or LAYER_PARTS)
+        made = Lane(rounded(curve), lane, tuple(parts) or CLIP_PARTS)
         clip = self.clips.get(name)
         if clip is not None:
             return self.put(name, with_lane(clip, made))
@@ -200,7 +198,7 @@ class ShowClips:
         character = check_known(message.character, [*scene], "character")
         if character in self._passes:
             raise ValueError(f"a pass of {character} is recorded already; keep it, or forget it, first")
-        parts = tuple(message.parts) or LAYER_PARTS
+        parts = tuple(message.parts) or CLIP_PARTS
         speed = check_within(message.speed, SLOWEST_PASS, 1.0, "the speed of a pass")
         clip = self.clips.get(message.name)
         name = message.name if clip is not None else self._free(message.name)

@@ -11,12 +11,12 @@ import msgspec
 
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.perform.clips.clip import LONGEST_LANE_NAME, LONGEST_SOUND_KEY, Clip, Lane, Span
+from omote.perform.clips.clip_parts import CLIP_PARTS, ClipPart
 from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.outline import outline_lane
 from omote.perform.clips.packed_motion import PackedMotion, pack_motion, unpack_motion
 from omote.perform.clips.sample import CHANNEL
-from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.performer import Performer
 from omote.show.access.access_role import AccessRole
 from omote.show.declaration import (
@@ -58,7 +58,7 @@ class StoredLane:
 
     motion: PackedMotion
     name: str = ""
-    parts: tuple[LayerPart, ...] = LAYER_PARTS
+    parts: tuple[ClipPart, ...] = CLIP_PARTS
     weight: float = 1.0
     muted: bool = False
     shift: float = 0.0
@@ -154,7 +154,7 @@ class ClipPass(msgspec.Struct, frozen=True):
 
     character: str
     name: str
-    parts: list[LayerPart]
+    parts: list[ClipPart]
     lane: str
     by: str
     began: float
@@ -176,7 +176,7 @@ class LaneOutline(msgspec.Struct, frozen=True):
     parts of the most that head or gaze turn."""
 
     name: str
-    parts: list[LayerPart]
+    parts: list[ClipPart]
     weight: float
     muted: bool
     shift: float
@@ -311,7 +311,7 @@ class RecordClip(ClipCommand, frozen=True):
     id: CallId
     character: CharacterName
     name: ClipName
-    parts: list[LayerPart] = []
+    parts: list[ClipPart] = []
     lane: LaneName = ""
     sound: SoundKey = ""
     start: float | None = None
@@ -354,7 +354,7 @@ class EditLane(ClipCommand, frozen=True):
     name: ClipName
     lane: LaneName
     to: LaneName | None = None
-    parts: list[LayerPart] | None = None
+    parts: list[ClipPart] | None = None
     weight: float | None = None
     muted: bool | None = None
     shift: float | None = None

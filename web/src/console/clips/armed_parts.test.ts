@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import { armedAfter, armingOf } from "./armed_parts";
 
-const ALL = new Set(LAYER_PARTS);
+const ALL = new Set(CLIP_PARTS);
 
 describe("the parts that are armed", () => {
   it("are one alone by a plain press, and more or less of them by Shift", () => {
@@ -15,7 +15,7 @@ describe("the parts that are armed", () => {
   it("are one alone by the first touch, then more or less, and never none", () => {
     expect([...armedAfter(ALL, "mouth", "touch")]).toEqual(["mouth"]);
     expect([...armedAfter(new Set(["mouth"]), "head", "touch")]).toEqual(["mouth", "head"]);
-    expect([...armedAfter(new Set(["mouth"]), "mouth", "touch")]).toEqual([...LAYER_PARTS]);
+    expect([...armedAfter(new Set(["mouth"]), "mouth", "touch")]).toEqual([...CLIP_PARTS]);
   });
 
   it("are armed by clicks as by keys", () => {

@@ -1,17 +1,17 @@
 /** The parts that are recorded next: what a press on one makes of them. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 
-type Part = (typeof LAYER_PARTS)[number];
+type Part = (typeof CLIP_PARTS)[number];
 /** `only`: this part alone; `beside`: with the others, or without; `touch`: of all this one alone, else as beside. */
 export type Arming = "only" | "beside" | "touch";
 
 /** The parts that are armed after a press; by touch, which knows no Shift, all where none would be left. */
 export function armedAfter(armed: ReadonlySet<Part>, part: Part, how: Arming): ReadonlySet<Part> {
-  const all = armed.size === LAYER_PARTS.length;
+  const all = armed.size === CLIP_PARTS.length;
   if (how === "only" || (how === "touch" && all)) return new Set([part]);
-  const left = LAYER_PARTS.filter((each) => armed.has(each) !== (each === part));
-  return new Set(how === "touch" && left.length === 0 ? LAYER_PARTS : left);
+  const left = CLIP_PARTS.filter((each) => armed.has(each) !== (each === part));
+  return new Set(how === "touch" && left.length === 0 ? CLIP_PARTS : left);
 }
 
 /** What a click on a part means; `coarse`: where fingers point. */

@@ -1,6 +1,6 @@
 /** The keys of the clip page as one table: what each does, and how the help shows it. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type { KeyPress } from "../../ui/gestures";
 
 export type ClipCommand =
@@ -25,7 +25,7 @@ export type ClipCommand =
   | { do: "go"; end: "start" | "stop" }
   | { do: "lane"; way: -1 | 1 }
   | { do: "zoom"; way: -1 | 0 | 1 }
-  | { do: "arm"; part: (typeof LAYER_PARTS)[number]; how: "only" | "beside" }
+  | { do: "arm"; part: (typeof CLIP_PARTS)[number]; how: "only" | "beside" }
   | { do: "arm_all" }
   /** A key that is the page's own, but means nothing now: held down. */
   | { do: "nothing" };
@@ -65,8 +65,8 @@ const sideways = (way: -1 | 1, shift: boolean, alt: boolean): ClipCommand =>
 export const CLIP_KEYS: readonly (readonly [string, string])[] = [
   ["Space", "Plays from the place that is marked, and stops; ends a pass that is recorded, and keeps it"],
   ["R", "Records a pass of the parts that are armed, from the place that is marked; again: ends and keeps it"],
-  ["1 – 6", `Arms one part alone: ${LAYER_PARTS.join(", ")}`],
-  ["Shift 1 – 6", "Arms it beside the others, or not"],
+  ["1 – 7", `Arms one part alone: ${CLIP_PARTS.join(", ")}`],
+  ["Shift 1 – 7", "Arms it beside the others, or not"],
   ["A", "Arms all parts"],
   ["C", "Three seconds are counted in before a pass begins, or not"],
   ["S", "Passes are recorded at half speed, or at full speed; no sound is heard at half"],
@@ -97,7 +97,7 @@ export function clipCommandOf(press: KeyPress, inField: boolean): ClipCommand | 
   const held = HELD[code];
   if (held !== undefined) return held(shiftKey, altKey);
   if (altKey) return null;
-  const part = LAYER_PARTS.find((_, place) => code === `Digit${place + 1}`);
+  const part = CLIP_PARTS.find((_, place) => code === `Digit${place + 1}`);
   if (part !== undefined && !repeat) return { do: "arm", part, how: shiftKey ? "beside" : "only" };
   if (key === "?") return { do: "help" };
   if (key === "/") return { do: "search" };

@@ -1,6 +1,6 @@
 /** The passes that are recorded anywhere in the show, and what is said of them. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type { ClipPass } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
 
@@ -54,7 +54,7 @@ export const lightWords = ({ by, parts, name, speed }: ClipPass, label: string, 
 
 /** What a pass gives its clip, as people read it. */
 export const passLabel = ({ parts, lane }: Pick<ClipPass, "parts" | "lane">): string =>
-  `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
+  `${partsLabel(parts, CLIP_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
 
 /** Seconds after which a pass ends by itself, but for the moment until that is heard. */
 const LONGEST_PASS = 599;

@@ -1,7 +1,7 @@
 /** What the page of clips knows of them, and what it may do with them. Nothing here touches the page. */
 
 import { missingRole } from "../../access/page_access";
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type {
   AccessDocument,
   ClipOutline,
@@ -24,7 +24,7 @@ import { HandsAbove } from "./hands_above";
 import type { PageMarks } from "./page_marks";
 import { freeLaneName, laneKey, type Span } from "./timeline";
 
-export type Part = (typeof LAYER_PARTS)[number];
+export type Part = (typeof CLIP_PARTS)[number];
 /** `clips`: their names and the one that is shown; `work`: what is recorded; `view`: what this page marks and arms. */
 export type ClipTopic = "clips" | "work" | "view" | "link" | "notice" | "characters" | "undo";
 
@@ -60,7 +60,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
   /** Where a span begins that has no end yet. */
   begun: number | null = null;
   /** The parts that are recorded next. */
-  armed: ReadonlySet<Part> = new Set(LAYER_PARTS);
+  armed: ReadonlySet<Part> = new Set(CLIP_PARTS);
   countsIn = true;
   /** At what speed passes are recorded: seconds of the clip a second. */
   passSpeed = 1;
@@ -260,7 +260,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   armAll(): void {
-    this.armed = new Set(LAYER_PARTS);
+    this.armed = new Set(CLIP_PARTS);
     this.tell("view");
   }
 
@@ -306,7 +306,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     if (this.counting !== null) this.#cancel();
     else if (this.pass !== null) this.keep();
     else if (this.#mayRecord() && this.armed.size === 0)
-      this.show.say("No part is armed: press 1 to 6 (A: all), or touch what is to be recorded.");
+      this.show.say("No part is armed: press 1 to 7 (A: all), or touch what is to be recorded.");
     else if (this.#mayRecord()) this.#countIn(() => this.#begin());
     if (this.counting !== null) this.#hands.say(this.#hands.above(this.armed));
   }
@@ -346,7 +346,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
   #asks(): boolean {
     const { pass } = this;
     if (pass === null || pass.by === this.show.name) return false;
-    const says = `${passWords(pass, this.labelOf(pass.character), LAYER_PARTS.length)}: it goes on.`;
+    const says = `${passWords(pass, this.labelOf(pass.character), CLIP_PARTS.length)}: it goes on.`;
     this.show.say(says, "attention", [
       { label: "Keep it", act: () => this.#end("keep") },
       { label: "Discard it", act: () => this.#end("discard") },
@@ -380,8 +380,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
   }
 
   #begin(): void {
-    const parts = LAYER_PARTS.filter((part) => this.armed.has(part));
-    const called = parts.length === LAYER_PARTS.length ? "all" : parts.join("+");
+    const parts = CLIP_PARTS.filter((part) => this.armed.has(part));
+    const called = parts.length === CLIP_PARTS.length ? "all" : parts.join("+");
     const start = this.outline === null ? null : Math.max(this.outline.start, Math.min(this.outline.stop, this.cursor));
     this.#send(parts, freeLaneName(this.lanes, called), start);
   }
@@ -589,7 +589,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
     const lane = this.lanes[index];
     if (lane === undefined) return;
     const has = lane.parts.includes(part);
-    const parts = LAYER_PARTS.filter((each) => (each === part ? !has : lane.parts.includes(each)));
+    const parts = CLIP_PARTS.filter((each) => (each === part ? !has : lane.parts.includes(each)));
     this.editLane(index, { parts }, `Lane ${index + 1} ${has ? "without" : "with"} ${part}`);
   }
 

@@ -3,7 +3,7 @@
 import { html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type { ClipOutline, ClipPass, LaneOutline } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
@@ -176,7 +176,7 @@ export class ClipTimeline extends AnimatedClipElement {
           @change=${(event: Event) => this.#weigh(event, place)}></label>
         <label>Shift<button aria-label="${called} 10 ms earlier" title="10 ms earlier (Alt ←)" ?disabled=${barred} @click=${() => clips.shift(place, -0.01)}>◂</button><input class="seconds" inputmode="decimal" aria-label="Shift of ${called}, seconds" ?disabled=${barred} .value=${String(Math.round(lane.shift * 1000) / 1000)}
           @change=${(event: Event) => this.#shiftTo(event, lane, place)}><button aria-label="${called} 10 ms later" title="10 ms later (Alt →)" ?disabled=${barred} @click=${() => clips.shift(place, 0.01)}>▸</button></label></div>
-      <div class="line parts more" role="group" aria-label="Parts of ${called}">${LAYER_PARTS.map((part) => html`<button title="It plays the ${part}" aria-pressed=${lane.parts.includes(part)} ?disabled=${barred} @click=${() => clips.togglePart(place, part)}>${part}</button>`)}</div>`;
+      <div class="line parts more" role="group" aria-label="Parts of ${called}">${CLIP_PARTS.map((part) => html`<button title="It plays the ${part}" aria-pressed=${lane.parts.includes(part)} ?disabled=${barred} @click=${() => clips.togglePart(place, part)}>${part}</button>`)}</div>`;
   }
 
   /** A slider that a pointer has moved leaves the arrow keys to the page. */
@@ -197,7 +197,7 @@ export class ClipTimeline extends AnimatedClipElement {
     const [left, width] = [this.#x(lane.start + later), Math.max(2, (lane.stop - lane.start) * this.#pixels)];
     const moves = Object.entries(lane.moves);
     return html`<div class="block" style="left: ${left}px; width: ${width}px">
-      <div class="strip" title="Drag: it comes earlier or later" @pointerdown=${(event: PointerEvent) => this.#drag(event, place)}>${lane.name || `lane ${place + 1}`}${lane.parts.length === LAYER_PARTS.length ? "" : ` · ${lane.parts.join(" ")}`}${later === 0 ? "" : ` · ${later > 0 ? "+" : ""}${later.toFixed(3)} s`}</div>
+      <div class="strip" title="Drag: it comes earlier or later" @pointerdown=${(event: PointerEvent) => this.#drag(event, place)}>${lane.name || `lane ${place + 1}`}${lane.parts.length === CLIP_PARTS.length ? "" : ` · ${lane.parts.join(" ")}`}${later === 0 ? "" : ` · ${later > 0 ? "+" : ""}${later.toFixed(3)} s`}</div>
       ${lane.spans.map(([from, to]) => html`<div class="again" title="Replaced" style="left: ${(from - lane.start) * this.#pixels}px; width: ${(to - from) * this.#pixels}px"></div>`)}
       <svg viewBox="0 0 1000 100" preserveAspectRatio="none" aria-hidden="true">${moves.map(([column, values], at) => svg`<path style="stroke: ${COLOURS[at] ?? "#fff"}" d=${curvePath(values, /^(head|gaze)\//.test(column))} />`)}</svg>
       <div class="moved">${moves.map(([column], at) => html`<span style="color: ${COLOURS[at] ?? "#fff"}">${columnLabel(column)} </span>`)}</div>
@@ -211,7 +211,7 @@ export class ClipTimeline extends AnimatedClipElement {
   }
 
   #recording({ parts, lane, start }: ClipPass) {
-    return html`<div class="row recorded" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, LAYER_PARTS.length)}</div>
+    return html`<div class="row recorded" aria-label="Recorded now"><div class="head"><b>● ${lane}</b> ${partsLabel(parts, CLIP_PARTS.length)}</div>
       <div class="body"><div class="block recording now" style="left: ${this.#x(start)}px; width: 1px"></div></div></div>`;
   }
 

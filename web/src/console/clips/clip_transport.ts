@@ -2,7 +2,7 @@
 
 import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import { base, flow } from "../../ui/theme";
 import { textOf } from "../../ui/topic_element";
 import { armingOf } from "./armed_parts";
@@ -128,7 +128,7 @@ export class ClipTransport extends AnimatedClipElement {
   #arms() {
     const { clips } = this;
     return html`<div class="group arms" role="group" aria-label="Parts that are recorded"><span class="word">Arm</span>
-      ${LAYER_PARTS.map((part, place) => html`<button class="arm" data-part=${part} title="Record the ${part} alone (${place + 1}); with Shift beside the others, or not" aria-pressed=${clips.armed.has(part)} @click=${(event: MouseEvent) => clips.arm(part, armingOf(event, matchMedia("(pointer: coarse)").matches))}>${part} <small>${place + 1}</small></button>`)}
+      ${CLIP_PARTS.map((part, place) => html`<button class="arm" data-part=${part} title="Record the ${part} alone (${place + 1}); with Shift beside the others, or not" aria-pressed=${clips.armed.has(part)} @click=${(event: MouseEvent) => clips.arm(part, armingOf(event, matchMedia("(pointer: coarse)").matches))}>${part} <small>${place + 1}</small></button>`)}
       <button title="Record all parts (A)" aria-label="All parts" @click=${() => clips.armAll()}>all <small>A</small></button>
     </div>`;
   }

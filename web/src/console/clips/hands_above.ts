@@ -1,13 +1,13 @@
 /** What hands hold of a character, by part: it stays above what a clip plays there. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type { CharacterState, ClipPass, ExpressionDocument, LaneOutline } from "../../link/messages";
 import { type Region, regionOf } from "../store/channels";
 import type { ConsoleStore } from "../store/console_store";
 import { handsOf } from "../store/held_state";
 import { clearStep } from "../store/undo_history";
 
-type Part = (typeof LAYER_PARTS)[number];
+type Part = (typeof CLIP_PARTS)[number];
 
 /** What this asks of the page of clips. */
 interface Page {
@@ -45,7 +45,7 @@ const PARTS: Readonly<Partial<Record<Region, Part>>> = {
 function partsOf(name: string, expressions: readonly ExpressionDocument[]): readonly Part[] {
   const known = expressions.find((expression) => expression.name === name);
   const part = PARTS[regionOf(known ?? { name, kind: "arkit", region: "" })];
-  return part === undefined ? LAYER_PARTS.filter((each) => each !== "head" && each !== "gaze") : [part];
+  return part === undefined ? CLIP_PARTS.filter((each) => each !== "head" && each !== "gaze") : [part];
 }
 
 /** What hands hold of these parts; `expressions`: of the cast, which say where a channel belongs. */

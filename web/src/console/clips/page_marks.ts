@@ -1,10 +1,10 @@
 /** What a page of clips remembers through a reload: the clip and lane that are chosen, what is armed, the count, the speed of passes. */
 
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import { type BrowserStorage, keep, readKept, readRecord } from "../../ui/browser_storage";
 import { PASS_SPEEDS } from "./clip_passes";
 
-type Part = (typeof LAYER_PARTS)[number];
+type Part = (typeof CLIP_PARTS)[number];
 
 export interface Marks {
   readonly clip: string;
@@ -33,7 +33,7 @@ export class PageMarks {
     return {
       ...(typeof clip === "string" ? { clip } : {}),
       ...(Number.isSafeInteger(lane) && (lane as number) >= 0 ? { lane: lane as number } : {}),
-      ...(Array.isArray(armed) ? { armed: LAYER_PARTS.filter((part) => armed.includes(part)) } : {}),
+      ...(Array.isArray(armed) ? { armed: CLIP_PARTS.filter((part) => armed.includes(part)) } : {}),
       ...(typeof countsIn === "boolean" ? { countsIn } : {}),
       ...(PASS_SPEEDS.some((speed) => speed === passSpeed) ? { passSpeed: passSpeed as number } : {}),
       ...(typeof character === "string" ? { character } : {}),

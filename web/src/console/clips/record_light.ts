@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { LAYER_PARTS } from "../../link/constants";
+import { CLIP_PARTS } from "../../link/constants";
 import type { ClipPass } from "../../link/messages";
 import { base, ellipsis } from "../../ui/theme";
 import { ConsoleDialog, sheet } from "../controls/console_dialog";
@@ -113,9 +113,9 @@ export class RecordLight extends AnimatedElement<LightContext> {
       this.opened = false;
       return nothing;
     }
-    const words = passes.map((pass) => passWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)).join("; ");
+    const words = passes.map((pass) => passWords(pass, labelOf(this.context, pass), CLIP_PARTS.length)).join("; ");
     return html`<button title="${words}: press to end it" aria-label="Recording: ${words}" aria-haspopup="dialog" @click=${() => this.#open(true)}>
-        <span class="lamp" aria-hidden="true"></span><span class="word">REC</span><time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${passes.map((pass) => lightWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)).join("; ")}</span></button>
+        <span class="lamp" aria-hidden="true"></span><span class="word">REC</span><time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${passes.map((pass) => lightWords(pass, labelOf(this.context, pass), CLIP_PARTS.length)).join("; ")}</span></button>
       <span hidden role="status">Recording: ${words}</span>
       ${this.opened ? html`<omote-passes .context=${this.context} @close=${() => this.#open(false)}></omote-passes>` : nothing}`;
   }
@@ -166,7 +166,7 @@ export class Passes extends ConsoleDialog {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Recorded now">
       <h2>Recorded now</h2>
       ${passesOf(this.store).map(
-        (pass) => html`<div class="row"><span>${passWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)}</span>
+        (pass) => html`<div class="row"><span>${passWords(pass, labelOf(this.context, pass), CLIP_PARTS.length)}</span>
           <button @click=${() => this.#end(pass, true)}>Keep</button><button @click=${() => this.#end(pass, false)}>Discard</button></div>`,
       )}
       <div class="row"><a href="/clips" target="omote-clips">Open the clips</a><button @click=${this.close}>Close</button></div>
