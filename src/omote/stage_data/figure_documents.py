@@ -98,7 +98,7 @@ def body_asset(body: Body) -> BodyAsset:
 
 
 def pose_document(pose: Pose, source: str) -> PoseDocument:
-    """One pose, which is small enough to come with the manifest. source: its name, or the key of an own one's content."""
+    """One pose, small enough to come with the manifest. source: its name, or the key of an own one's content."""
     x, y, z = pose.travel.tolist()
     turns, feet, feet_turns = (le_bytes(getattr(pose, what), "<f4") for what in ("turns", "feet", "feet_turns"))
     return PoseDocument(pose.name, pose.label, source, turns, (x, y, z), feet, feet_turns)

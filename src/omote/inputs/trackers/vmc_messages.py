@@ -271,7 +271,8 @@ def _on_model(
 
     turns: by VRM's names; hips: on the model, metres; first, now: how the model is turned, and where it is.
     """
-    (before, place), (after, there) = first, now
+    before, place = first
+    after, there = now
     if first == now or HIPS not in turns:
         return turns, hips
     back = (-before[0], -before[1], -before[2], before[3])

@@ -11,13 +11,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from omote.arrays import Values
 from omote.model.body.pose import FARTHEST, LARGEST_TURN
 from omote.perform.figures.pose_mix import MixedPose
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
 
 BODY_COLUMN = "body"
 """What the names of these columns begin with."""
@@ -50,7 +53,7 @@ def body_columns(bones: Sequence[str], poses: Sequence[MixedPose]) -> dict[str, 
     wide = {ROOT: turns[:, places[ROOT]]}
     wide |= {foot: np.array([pose.feet_turns[number] for pose in poses]) for number, foot in enumerate(FEET)}
     for bone, vectors in wide.items():
-        matrices = Rotation.from_rotvec(vectors).as_matrix()
+        matrices = _rotation().from_rotvec(vectors).as_matrix()
         six = matrices[:, :, :2].transpose(0, 2, 1).reshape(-1, 6) - _NO_TURN
         columns |= _named(bone, SIX, six, needed=False)
     for number, ankle in enumerate(ANKLES):
@@ -124,7 +127,14 @@ def _turn(six: Values) -> Values:
     if square < 1e-6:
         return np.zeros(3)
     y = y / square
-    return np.asarray(Rotation.from_matrix(np.stack([x, y, np.cross(x, y)], axis=1)).as_rotvec())
+    return np.asarray(_rotation().from_matrix(np.stack([x, y, np.cross(x, y)], axis=1)).as_rotvec())
+
+
+def _rotation() -> type[Rotation]:
+    """SciPy's rotations: commands name clips and do not wait for it."""
+    from scipy.spatial.transform import Rotation
+
+    return Rotation
 
 
 def _named(of: str, axes: Sequence[str], table: Values, *, needed: bool) -> dict[str, Values]:
