@@ -58,8 +58,9 @@ def test_what_is_sent_is_read_as_it_was(head: tuple[float, float, float], gaze: 
 def test_a_sender_of_bones_alone_is_heard_and_the_neck_carries_the_head() -> None:
     frames = heard(bone("Head", (0.2, 0.0, 0.0)), bone("Neck", (0.3, 0.0, 0.0)), bone("Hips", (1.0, 0.0, 0.0)))
     assert [frame.head for frame in frames] == [
-        pytest.approx((0.2, 0.0, 0.0), abs=1e-6), pytest.approx((0.5, 0.0, 0.0), abs=1e-6),
+        pytest.approx((0.2, 0.0, 0.0), abs=1e-6), *[pytest.approx((0.5, 0.0, 0.0), abs=1e-6)] * 2,
     ]  # fmt: skip
+    assert [frame.bones is not None for frame in frames] == [False, False, True]
 
 
 def test_bones_beside_values_wait_for_the_values() -> None:

@@ -11,16 +11,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from omote.arrays import Values
 from omote.model.body.pose import FARTHEST, LARGEST_TURN
 from omote.perform.figures.pose_mix import MixedPose
-
-if TYPE_CHECKING:
-    from scipy.spatial.transform import Rotation
 
 BODY_COLUMN = "body"
 """What the names of these columns begin with."""
@@ -130,7 +127,7 @@ def _turn(six: Values) -> Values:
     return np.asarray(_rotation().from_matrix(np.stack([x, y, np.cross(x, y)], axis=1)).as_rotvec())
 
 
-def _rotation() -> type[Rotation]:
+def _rotation() -> Any:
     """SciPy's rotations: commands name clips and do not wait for it."""
     from scipy.spatial.transform import Rotation
 
