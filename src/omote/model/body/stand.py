@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from omote.arrays import Points, Values
 from omote.model.body.skeleton import SIDES, Skeleton
+from omote.model.body.twist import twist_about
 
 OUT = {"L": 1.0, "R": -1.0}
 """Which way is out, along x."""
@@ -64,7 +65,7 @@ def _hang_arm(skeleton: Skeleton, joints: Points, side: str, turns: Values) -> N
     inward = math.radians(PALM)
     thumb = np.array([-OUT[side] * math.sin(inward), 0.0, math.cos(inward)])
     palm = frame(hanging(*HAND, side), thumb) @ hand.T
-    twist = _twist_about(palm @ forearm.T, forearm @ fore)
+    twist = twist_about(palm @ forearm.T, forearm @ fore)
     _set(skeleton, turns, side, ("upperarm01", "upperarm02"), arm)
     for name, share in TWIST.items():
         turned = Rotation.from_rotvec(share * twist * (forearm @ fore)).as_matrix() @ forearm
@@ -115,12 +116,6 @@ def shortest_turn(before: Values, after: Values) -> Values:
         return np.eye(3)
     angle = math.atan2(sine, float(before @ after))
     return np.asarray(Rotation.from_rotvec(axis / sine * angle).as_matrix())
-
-
-def _twist_about(turn: Values, axis: Values) -> float:
-    """The angle of a rotation (3, 3) about a direction (3,), radians: what is left when its swing is taken off."""
-    x, y, z, w = Rotation.from_matrix(turn).as_quat()
-    return 2.0 * math.atan2(float(np.dot([x, y, z], axis)), float(w))
 
 
 def _unit(way: Values) -> Values:

@@ -1,13 +1,14 @@
 /** The figure of one character: the bodies that it wears, its bones in a frame, and what the GPU draws of them. */
 
 import type { Library } from "../../link/assets";
-import { BENDS, HINGES } from "../../link/constants";
-import type { Body } from "../../link/figures";
+import { SHAPES } from "../../link/constants";
+import { type Body, CORRECTED } from "../../link/figures";
 import type { FigureMix, Idle } from "../pose/pose";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
+import { writeCalls } from "./corrective_calls";
 import type { FigureJob, FigurePass, FigureTarget } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
-import { type PosedBones, poseFigure, type RestingBones, turnHead, writeCalls } from "./kinematics";
+import { type PosedBones, poseFigure, type RestingBones, turnHead } from "./kinematics";
 import { blankPose, type MixedPose, mixFigurePoses } from "./pose_mix";
 import {
   IDENTITY,
@@ -47,7 +48,7 @@ export class Figure {
   private readonly mixed: MixedPose;
   private readonly bones: Float32Array;
   private readonly bodyEdge: Float32Array;
-  private readonly calls = new Float32Array(BENDS.length * HINGES.length);
+  private readonly calls = new Float32Array(SHAPES * CORRECTED);
   private readonly place: Readonly<Record<"head" | "foot", number>>;
   private worn: Parts<string> = [];
   private resting: RestingBones | undefined;
@@ -126,7 +127,7 @@ export class Figure {
     const resting = this.resting as RestingBones;
     this.posed = poseFigure(skeleton, resting, this.mixed);
     writeBones(resting, this.posed, this.bones);
-    writeCalls(skeleton, this.posed.joints, this.calls);
+    writeCalls(skeleton, this.posed, this.calls);
     this.changed = true;
   }
 

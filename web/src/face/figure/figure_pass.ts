@@ -1,6 +1,6 @@
 /** Hangs bodies below heads on the GPU, and skins both: positions and normals of whole figures. */
 
-import { BENDS } from "../../link/constants";
+import { SHAPES } from "../../link/constants";
 import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
@@ -24,7 +24,7 @@ export interface FigureJob {
   readonly bones: Float32Array;
   readonly bodies: readonly (readonly [layer: number, weight: number])[];
   readonly bodyEdge: Float32Array;
-  /** How much of each corrective each hinge calls (hinges, bends). */
+  /** How much of each corrective each joint calls (joints, SHAPES). */
   readonly calls: Float32Array;
   /** The head as it is blended. */
   readonly head: WebGLTexture;
@@ -152,7 +152,7 @@ export class FigurePass {
 
   private get bodyLines(): number {
     const { bodyRows, bending } = this.space;
-    return Math.ceil((bodyRows + BENDS.length * bending.length) / ROW_WIDTH);
+    return Math.ceil((bodyRows + SHAPES * bending.length) / ROW_WIDTH);
   }
 
   private drawFigure({ bones, bodies, bodyEdge, calls, head, target }: FigureJob): void {
@@ -171,7 +171,7 @@ export class FigurePass {
     });
     gl.uniform2fv(uniformAt(gl, programs.figure, "mixed"), this.mixed);
     gl.uniform1i(uniformAt(gl, programs.figure, "count"), Math.min(bodies.length, MOST_BODIES));
-    gl.uniform3fv(uniformAt(gl, programs.figure, "calls"), calls);
+    gl.uniform4fv(uniformAt(gl, programs.figure, "calls"), calls);
     gl.activeTexture(gl.TEXTURE5);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.bodies);
     gl.uniform1i(uniformAt(gl, programs.figure, "bodies"), 5);
@@ -200,7 +200,7 @@ export class FigurePass {
 }
 
 /** Eight numbers a row: its bones (bytes), its weights (pairs), its share with its place among those that
- * bend, from 1, and their hinge (from bits 0, 8, 24), and its place among the joined, from 1. */
+ * bend, from 1, and their joint (from bits 0, 8, 24), and its place among the joined, from 1. */
 function packedRows({
   rowBones,
   rowWeights,

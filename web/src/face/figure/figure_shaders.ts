@@ -1,6 +1,7 @@
 /** Shaders of the passes that hang a body below a head and skin both. */
 
-import { BENDS, HINGES } from "../../link/constants";
+import { SHAPES } from "../../link/constants";
+import { CORRECTED } from "../../link/figures";
 import { PASS_HEAD, ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /** Bodies that are mixed at most. */
@@ -45,11 +46,11 @@ export interface FigureRows {
   readonly bending: number;
 }
 
-const CALLS = `vec${BENDS.length}`;
+const CALLS = `vec${SHAPES}`;
 
 /**
  * The rows of a figure: those of the head as they are blended, those of the body summed over bodies and joined to the
- * head's edge; those of bent elbows and knees with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
+ * head's edge; those around joints with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
  */
 export const figureFragment = ({ head, body, edge, bending }: FigureRows): string => `${PASS_HEAD}
 uniform sampler2D head;
@@ -60,7 +61,7 @@ uniform sampler2D off;
 uniform sampler2D bones;
 uniform vec2 mixed[${MOST_BODIES}]; // layer, weight
 uniform int count;
-uniform ${CALLS} calls[${HINGES.length}]; // of correctives, by hinge
+uniform ${CALLS} calls[${CORRECTED}]; // of correctives, by joint
 out vec4 position;
 ${ROW_TEXEL}
 
@@ -76,11 +77,11 @@ vec3 bodyAt(int row, int joined) {
 
 vec3 correctiveAt(int place, ${CALLS} called) {
   vec3 sum = vec3(0.0);
-  for (int bend = 0; bend < ${BENDS.length}; bend++) {
-    if (called[bend] == 0.0) continue;
-    ivec2 at = texelOf(${body} + bend * ${bending} + place);
+  for (int shape = 0; shape < ${SHAPES}; shape++) {
+    if (called[shape] == 0.0) continue;
+    ivec2 at = texelOf(${body} + shape * ${bending} + place);
     for (int i = 0; i < count; i++)
-      sum += called[bend] * mixed[i].y * texelFetch(bodies, ivec3(at, int(mixed[i].x)), 0).xyz;
+      sum += called[shape] * mixed[i].y * texelFetch(bodies, ivec3(at, int(mixed[i].x)), 0).xyz;
   }
   return sum;
 }
