@@ -29,6 +29,7 @@ from scipy.spatial.transform import Rotation
 from omote.arrays import Indices, Mask, Points, Values
 from omote.builtin import load_cast
 from omote.geometry.skinning import skin
+from omote.model.body.correctives import HINGES as CORRECTED_LIMBS
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.posed_bones import PosedBones, pose_bones
 from omote.model.body.skeleton import Skeleton
@@ -183,7 +184,8 @@ def measure_volumes(space: FigureSpace, resting: RestingFigure, generic: Resting
 
 def measure_folds(cast: Cast, space: FigureSpace, resting: RestingFigure, found: Found) -> None:
     """Poses a figure as the library has it."""
-    bending = space.triangles[np.isin(space.triangles, space.bending).any(axis=1)]
+    limbs = space.bending[space.bending_hinges < len(CORRECTED_LIMBS)]
+    bending = space.triangles[np.isin(space.triangles, limbs).any(axis=1)]
     for name in cast.poses:
         bones = pose_figure(space, resting, mix_poses(cast.poses, {name: 1.0}, {}, {}))
         for way, rows in skinned(space, resting, bones).items():
@@ -194,7 +196,7 @@ def measure_folds(cast: Cast, space: FigureSpace, resting: RestingFigure, found:
 def report(found: Found, poses: int) -> bool:
     """Prints what was found; whether a bar is missed."""
     table = Table("hinge", "degrees", *(f"{way}: mean %, least, most" for way in WAYS))
-    missed = found.bent[OURS] > FEWER_FOLDS * found.bent[LINEAR]
+    missed = any(folds[OURS] > FEWER_FOLDS * folds[LINEAR] for folds in (found.bent, found.folds))
     for hinge in HINGES:
         for angle in ANGLES:
             each = [100.0 * np.array(found.changes[hinge, way, angle]) for way in WAYS]

@@ -18,6 +18,7 @@ from types import ModuleType
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from omote.edit.protocol import messages as editing
 from omote.inputs.microphone import microphone_messages as microphone
@@ -28,10 +29,22 @@ from omote.interchange.part_textures import ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
-from omote.model.body.hinges import BENDS, HINGES
+from omote.model.body.correctives import (
+    FINGER_BENDS,
+    FINGERS,
+    HINGE_BENDS,
+    HINGES,
+    HIP_BENDS,
+    HIPS,
+    SHAPES,
+    SHOULDER_SHARES,
+    SHOULDER_WAYS,
+    SHOULDERS,
+)
 from omote.model.body.limb_recipe import BREATH
 from omote.model.body.limbs import LIMBS
 from omote.model.body.pose_regions import POSE_REGIONS
+from omote.model.body.twist import SPREAD
 from omote.model.fitting.landmarks import SEVEN
 from omote.model.folding import LIDS, RANGE
 from omote.model.hair import STRETCH
@@ -235,7 +248,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
     "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
     "POSE_REGIONS": ("The parts of a figure that can do a pose of their own.", POSE_REGIONS),
-    "BENDS": ("Degrees from the straight limb at which bodies have correctives.", BENDS),
+    "SHAPES": ("Correctives of each joint that has some.", SHAPES),
     "HINGES": ("Where limbs that bend begin, where they bend and where they end, as bones.", HINGES),
     "LIMBS": (
         "The limbs: where the axis of each begins and ends, as bones, and the sense in which angles grow about it.",
@@ -243,6 +256,21 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     ),
     "TENSED": ("Degrees of a hinge from which on it drives a limb field, and at which it drives all of it.", TENSED),
     "BREATH": ("What drives a limb field: the breath in the chest.", BREATH),
+    "HINGE_BENDS": ("Degrees from the straight limb at which these have correctives.", HINGE_BENDS),
+    "FINGERS": ("Of each joint of a finger with correctives the bone before it and its own.", FINGERS),
+    "FINGER_BENDS": ("Degrees to the palm at which fingers have correctives.", FINGER_BENDS),
+    "HIPS": ("Where thighs begin and end.", HIPS),
+    "HIP_BENDS": ("Degrees to the front at which hips have correctives.", HIP_BENDS),
+    "SHOULDERS": ("Where upper arms begin and end.", SHOULDERS),
+    "SHOULDER_WAYS": (
+        "Where a left arm points as modelled, and where shoulders have correctives.",
+        np.round(SHOULDER_WAYS, 9).tolist(),
+    ),
+    "SHOULDER_SHARES": (
+        "By how much the angle to each of these calls each corrective.",
+        np.round(SHOULDER_SHARES, 9).tolist(),
+    ),
+    "TWIST_SPREAD": ("Of the twist of an upper arm, what its second bone makes alone.", SPREAD),
     "BREATH_IN": ("The pose of a figure with a breath in its chest.", BREATH_IN),
     "CHEST": ("The pose of a figure whose chest has followed its head.", CHEST),
     "WEIGHT": ("The poses of a figure whose weight is on its left foot, and on its right.", WEIGHT),

@@ -373,7 +373,7 @@ def test_a_source_is_measured_and_tuned(wired: Wired) -> None:
 WRONG: dict[str, tuple[type[Exception], Any]] = {
     "there is no character 'gone'": (ValueError, lambda show: show.route_source("a", ["gone"])),
     "there is no layer for a source 'hands'": (ValueError, lambda show: show.route_source("a", ["one"], layer="hands")),
-    "there is no region of a layer 'nose'": (
+    "there is no region of a source 'nose'": (
         ValueError,
         lambda show: show.route_source("a", ["one"], regions=["nose"]),
     ),

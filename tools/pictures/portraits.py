@@ -14,6 +14,7 @@ from pathlib import Path
 import omote
 from omote.interchange.formats.atomic_file import write_whole
 from omote.model.cast import Cast
+from omote.model.body.limb_recipe import LIMB_KIND
 from omote.model.known_names import GENERIC, NEUTRAL
 from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_setting import Setting
@@ -33,9 +34,10 @@ LOWER = 0.003 / 0.305
 
 
 def name_portraits(cast: Cast) -> list[tuple[str, str]]:
-    """Face and expression of each portrait, row by row."""
+    """Face and expression of each portrait, row by row: of expressions that heads wear."""
     faces = [(face, NEUTRAL) for face in cast.faces]
-    return faces + [(GENERIC, name) for name in cast.expressions if name != NEUTRAL]
+    worn = [name for name in cast.expressions if name != NEUTRAL and cast.titles[name].kind != LIMB_KIND]
+    return faces + [(GENERIC, name) for name in worn]
 
 
 def portraits(cast: Cast) -> Picture:

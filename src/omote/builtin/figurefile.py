@@ -11,8 +11,8 @@ Arrays, V rows of the head, B of the body, J bones:
     uvs (k, 2), uv_rows (t, 3)
     skirt (s, 3)           triangles of the skirt
     garment/NAME           (4, V + B) cover, thick, trim, hidden: in steps of a metre, int16
-    bending, bending_hinges (c,)                  rows that have correctives, and which hinge calls them
-    body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3), correctives (3 c, 3): in steps of a
+    bending, bending_hinges (c,)                  rows that have correctives, and which joint calls them
+    body/NAME/WHAT         positions (B, 3), edge (e, 3), joints, ends (J, 3), correctives (4 c, 3): in steps of a
                            metre, int16; size
 """
 
@@ -39,7 +39,7 @@ from omote.model.body.pose import STAND, Pose
 from omote.model.body.pose_recipe import NamedPose
 from omote.model.body.skeleton import Skeleton
 
-FIGURE_FORMAT = 3
+FIGURE_FORMAT = 4
 STEPS_OF_A_METRE = 15_000
 """Steps of 16 bits in which places are kept: a fifteenth of a millimetre, as far as 2.18 m from the eyes."""
 PLACES = ("positions", "edge", "joints", "ends", "correctives")

@@ -15,9 +15,10 @@ from omote.client.message_check import pack_numbers
 from omote.client.remote_frame import frame_in
 from omote.client.sounds import split_sound
 from omote.inputs.voices.spoken_text import WantedSpeech, check_wanted
-from omote.model.body.pose_regions import check_pose_region
+from omote.model.body.pose_regions import POSE_REGIONS, check_pose_region
 from omote.model.known_names import check_play_region
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.figures.packed_pose import pack_pose, pose_numbers
 from omote.perform.frame import Frame, check_target_kind
 from omote.perform.layers.layer_names import check_driven, check_layer, check_part
 from omote.perform.limits import check_known, check_switch
@@ -122,17 +123,21 @@ class RemoteCharacter(Generic[Sent, Said]):
         gaze: tuple[float, float] | None = None,
         found: bool = True,
         smoothing: float = 0.0,
+        body: Pose | None = None,
     ) -> Sent:
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
         names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
         smoothing: seconds, to 2, in which a step is followed, 0 as its layer is. channels: weights by name; found:
-        whether the source finds a face now."""
+        whether the source finds a face now; body: the pose of the performer's body, in place of what is called of the
+        figure."""
         if not isinstance(channels, Mapping):
             raise TypeError(f"the channels are {channels!r}; give their weights by name, as {{'jawOpen': 0.5}}")
         kind = next(stream_kind for stream_kind in STREAM_KINDS if stream_kind == check_driven(layer))
         source = Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = pack_numbers(channels.values(), "the weight of a channel")
-        return self._show.drive(source, Drive(0, values, head, gaze, found))
+        whole = (b"", []) if body is None else (pack_pose(pose_numbers(body)), [*POSE_REGIONS])
+        packed, seen = whole
+        return self._show.drive(source, Drive(0, values, head, gaze, found, body=packed, seen=seen))
 
     def move_pad(self, name: str, x: float | None = None, y: float | None = None, z: float | None = None) -> Sent:
         """Moves the point of a pad of the show (name), -1 to 1 for each of its dimensions: what it plays shows the
@@ -204,6 +209,7 @@ class RemoteCharacter(Generic[Sent, Said]):
         return self._show.send(command(character=self.name, **named(command, self._show.next_id), **fields))
 
     if TYPE_CHECKING:
+    from omote.model.body.pose import Pose
 
         def __getattr__(self, name: str) -> Callable[..., Sent]:
             """The methods that commands declare."""

@@ -340,7 +340,7 @@ class FigureAsset(msgspec.Struct, frozen=True):
 
 class BodyAsset(msgspec.Struct, frozen=True):
     """A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3),
-    `correctives` (3 c, 3) of the rows that bend."""
+    `correctives` (4 c, 3) of the rows that bend."""
 
     positions: bytes
     edge: bytes

@@ -9,6 +9,7 @@ from omote.interchange.export_face import SKIN, named_compound_meshes
 from omote.interchange.figures.figure_rig import export_figure
 from omote.interchange.formats.rig import Rig
 from omote.model.body.figure_space import join_head
+from omote.perform.figures.figure import skinning_bones
 from tests.interchange.figures.figures import SUITED, posed_figure
 
 CAST = omote.load_cast()
@@ -33,11 +34,11 @@ def test_suit_hands_and_shoes_follow_an_expression_as_the_body_does() -> None:
 def test_a_pose_of_the_rig_turns_every_bone_as_ours_does() -> None:
     rig = Rig(FIGURE.joints, FIGURE.inverse, {}, "head", {})
     motion = FIGURE.motion("cheer")
-    posed = posed_figure(FIGURE, "cheer")
+    posed = skinning_bones(FIGURE.space, FIGURE.resting, posed_figure(FIGURE, "cheer"))
     turns = np.empty_like(motion.turns)
     places = np.empty((len(turns), 3))
     for joint, (parent, step) in enumerate(zip(rig.parents, rig.steps, strict=True)):
         turns[joint] = motion.turns[joint] if parent < 0 else turns[parent] @ motion.turns[joint]
         places[joint] = motion.travel if parent < 0 else places[parent] + turns[parent] @ step
-    np.testing.assert_allclose(turns @ FIGURE.rest.turns, posed.turns, atol=1e-9)
+    np.testing.assert_allclose(turns @ FIGURE.bound.turns, posed.turns, atol=1e-9)
     np.testing.assert_allclose(places, posed.joints + FIGURE.shift, atol=1e-9)

@@ -9,7 +9,7 @@ import msgspec
 import pytest
 from aiohttp import ClientWebSocketResponse
 
-from omote.perform.layers.layer_names import LAYER_PARTS
+from omote.perform.clips.clip_parts import CLIP_PARTS
 from omote.server.recording.recorded_show import RecordedShow
 from omote.server.recording.recording_jobs import cut_clip
 from omote.server.recording.recording_thread import RecordingThread
@@ -79,7 +79,7 @@ async def test_a_clip_is_kept_of_what_showed_while_the_show_plays(show_harness: 
     assert isinstance(await asked(show_harness, link, KeepClip("3", "line", "one", 60.0)), RecordingKept)
     assert isinstance(await asked(show_harness, link, KeepClip("4", "line", "one", 60.0, ["mouth"])), RecordingKept)
     clip = show_harness.show.session.clips.clips["line"]
-    assert [lane.parts for lane in clip.lanes] == [LAYER_PARTS, ("mouth",)]
+    assert [lane.parts for lane in clip.lanes] == [CLIP_PARTS, ("mouth",)]
     assert clip.lanes[0].curve.stop > 0.4
     refused = await asked(show_harness, link, KeepClip("5", "other", "nobody"))
     assert isinstance(refused, Refused)

@@ -13,6 +13,7 @@ from omote.geometry.ramp import smooth_ramp
 from omote.model.body.garment import FIELDS
 from omote.model.body.skeleton import SIDES
 from tools.baking.assemble import Arrays
+from tools.baking.bodies.ball_joints import BallJoint, find_ball_joints, solve_ball_joint
 from tools.baking.bodies.builds import FIGURES
 from tools.baking.bodies.correctives import Hinge, Skinning, find_hinges, solve_hinge
 from tools.baking.bodies.figure_cut import FigureCut, cut_figure, figure_points
@@ -54,6 +55,9 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
     shares[first_of_skirt:] = 0.0  # cloth between two legs has no limb of its own that could keep it round
     skinning = Skinning(rig.skeleton, bones, weights.astype(np.float32), shares.astype(np.float32))
     hinges = find_hinges(skinning, joints, generic, cut.triangles)
+    taken = np.concatenate([hinge.patch.rows[: hinge.patch.free] for hinge in hinges])
+    balls = find_ball_joints(skinning, joints, generic, cut.triangles, cut.head_rows, taken)
+    patches = [*(hinge.patch for hinge in hinges), *(ball.patch for ball in balls)]
     arrays: Arrays = {
         "format": np.array(FIGURE_FORMAT),
         "about": np.frombuffer(names.encode(), np.uint8),
@@ -72,13 +76,13 @@ def figure_arrays(package: Package, base: BaseMesh, head: Head, step: Callable[[
         "uvs": cut.uvs,
         "uv_rows": cut.uv_rows,
         "skirt": cut.skirt,
-        "bending": np.concatenate([hinge.rows[: hinge.free] for hinge in hinges]).astype(np.int32),
-        "bending_hinges": np.repeat(np.arange(len(hinges)), [hinge.free for hinge in hinges]).astype(np.uint8),
+        "bending": np.concatenate([patch.rows[: patch.free] for patch in patches]).astype(np.int32),
+        "bending_hinges": np.repeat(np.arange(len(patches)), [patch.free for patch in patches]).astype(np.uint8),
     }
     for garment in worn:
         arrays[f"garment/{garment.name}"] = in_steps(np.stack([getattr(garment, field) for field in FIELDS]))
     for name in FIGURES:
-        arrays |= body_arrays(name, package, base, head, cut, rig, skinning, hinges)
+        arrays |= body_arrays(name, package, base, head, cut, rig, skinning, hinges, balls)
         step(name)
     return arrays
 
@@ -99,17 +103,20 @@ def dual_shares(rig: Rig, generic: Floats, points: Floats) -> Floats:
 
 def body_arrays(
     name: str, package: Package, base: BaseMesh, head: Head, cut: FigureCut, rig: Rig, skinning: Skinning,
-    hinges: Sequence[Hinge],
+    hinges: Sequence[Hinge], balls: Sequence[BallJoint],
 ) -> Arrays:  # fmt: skip
     """The rows, edge, joints, ends and correctives of one body, in steps of a metre. name: of `FIGURES`; the rest as of
-    `figure_arrays` and `find_hinges`."""
+    `figure_arrays`, `find_hinges` and `find_ball_joints`."""
     person = FIGURES[name].as_person(name)
     points = person_points(person, package, base, head)
     rows = figure_points(cut, head, points)
     rows[cut.skirt.min() :] = stand_off(rows, cut)
     joints = head.metres(rig.joints(points))
     ends = head.metres(rig.ends(points))
-    solved = [solve_hinge(hinge, skinning, rows, joints, ends) for hinge in hinges]
+    solved = [
+        *(solve_hinge(hinge, skinning, rows, joints, ends) for hinge in hinges),
+        *(solve_ball_joint(ball, skinning, rows, joints, ends) for ball in balls),
+    ]
     found = {
         "positions": rows[cut.head_rows :],
         "edge": rows[cut.edge],

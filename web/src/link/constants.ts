@@ -84,8 +84,8 @@ export const DEFAULT_EASING = "smooth";
 export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 /** The parts of a figure that can do a pose of their own. */
 export const POSE_REGIONS = ["head", "trunk", "arm_left", "arm_right", "stance"] as const;
-/** Degrees from the straight limb at which bodies have correctives. */
-export const BENDS = [45.0, 90.0, 130.0] as const;
+/** Correctives of each joint that has some. */
+export const SHAPES = 4;
 /** Where limbs that bend begin, where they bend and where they end, as bones. */
 export const HINGES = [["upperarm01.L", "lowerarm01.L", "wrist.L"], ["upperarm01.R", "lowerarm01.R", "wrist.R"], ["upperleg01.L", "lowerleg01.L", "foot.L"], ["upperleg01.R", "lowerleg01.R", "foot.R"]] as const;
 /** The limbs: where the axis of each begins and ends, as bones, and the sense in which angles grow about it. */
@@ -94,6 +94,24 @@ export const LIMBS = [["spine05", "neck01", 1.0], ["upperarm01.L", "lowerarm01.L
 export const TENSED = [30.0, 130.0] as const;
 /** What drives a limb field: the breath in the chest. */
 export const BREATH = "breath";
+/** Degrees from the straight limb at which these have correctives. */
+export const HINGE_BENDS = [0.0, 45.0, 90.0, 130.0] as const;
+/** Of each joint of a finger with correctives the bone before it and its own. */
+export const FINGERS = [["metacarpal1.L", "finger2-1.L"], ["finger2-1.L", "finger2-2.L"], ["finger2-2.L", "finger2-3.L"], ["metacarpal2.L", "finger3-1.L"], ["finger3-1.L", "finger3-2.L"], ["finger3-2.L", "finger3-3.L"], ["metacarpal3.L", "finger4-1.L"], ["finger4-1.L", "finger4-2.L"], ["finger4-2.L", "finger4-3.L"], ["metacarpal4.L", "finger5-1.L"], ["finger5-1.L", "finger5-2.L"], ["finger5-2.L", "finger5-3.L"], ["metacarpal1.R", "finger2-1.R"], ["finger2-1.R", "finger2-2.R"], ["finger2-2.R", "finger2-3.R"], ["metacarpal2.R", "finger3-1.R"], ["finger3-1.R", "finger3-2.R"], ["finger3-2.R", "finger3-3.R"], ["metacarpal3.R", "finger4-1.R"], ["finger4-1.R", "finger4-2.R"], ["finger4-2.R", "finger4-3.R"], ["metacarpal4.R", "finger5-1.R"], ["finger5-1.R", "finger5-2.R"], ["finger5-2.R", "finger5-3.R"]] as const;
+/** Degrees to the palm at which fingers have correctives. */
+export const FINGER_BENDS = [30.0, 60.0, 85.0, 110.0] as const;
+/** Where thighs begin and end. */
+export const HIPS = [["upperleg01.L", "lowerleg01.L"], ["upperleg01.R", "lowerleg01.R"]] as const;
+/** Degrees to the front at which hips have correctives. */
+export const HIP_BENDS = [35.0, 65.0, 95.0, 125.0] as const;
+/** Where upper arms begin and end. */
+export const SHOULDERS = [["upperarm01.L", "lowerarm01.L"], ["upperarm01.R", "lowerarm01.R"]] as const;
+/** Where a left arm points as modelled, and where shoulders have correctives. */
+export const SHOULDER_WAYS = [[0.730919074, -0.681593063, 0.03447034], [0.156341499, -0.987101378, 0.03447034], [-0.055314379, -0.469695583, 0.881093854], [0.088121037, -0.960705444, -0.263210434], [0.272550082, 0.946715958, 0.171596468]] as const;
+/** By how much the angle to each of these calls each corrective. */
+export const SHOULDER_SHARES = [[0.5255361, 0.021439642, 0.229514673, 0.219819269], [-2.340354245, 0.49115175, 1.52992837, -0.128511818], [0.49115175, -0.664202544, -0.035398647, 0.264499277], [1.52992837, -0.035398647, -1.614410261, 0.143781812], [-0.128511818, 0.264499277, 0.143781812, -0.177251154]] as const;
+/** Of the twist of an upper arm, what its second bone makes alone. */
+export const TWIST_SPREAD = 0.7;
 /** The pose of a figure with a breath in its chest. */
 export const BREATH_IN = "breath_in";
 /** The pose of a figure whose chest has followed its head. */

@@ -1,7 +1,7 @@
 /** Reads figures: what all bodies share, each body, and the poses. */
 
 import { aligned } from "./arrays";
-import { BENDS, HINGES, LIMBS } from "./constants";
+import { FINGERS, HINGES, HIPS, LIMBS, SHAPES, SHOULDERS } from "./constants";
 import type { BodyAsset, FigureAsset, LimbFieldAsset, PoseDocument } from "./messages";
 
 /** What all bodies share (`model.body.figure_space`): V rows of the head's skin, then B of the body, a skirt's the last. */
@@ -30,7 +30,7 @@ export interface FigureSpace {
   /** Triangles of the skirt, as rows, and the first of these. */
   readonly skirt: Uint32Array;
   readonly firstOfSkirt: number;
-  /** Rows that have correctives (c,), and which hinge calls them. */
+  /** Rows that have correctives (c,), and which joint calls them. */
   readonly bending: Uint32Array;
   readonly bendingHinges: Uint8Array;
   /** By name: cover, thick, trim and hidden of each row (V + B, 4), metres (`model.body.garment`). */
@@ -49,8 +49,11 @@ export interface LimbField {
   readonly values: Float32Array;
 }
 
+/** Joints that have correctives: elbows and knees, fingers, hips, shoulders (`model.body.correctives`). */
+export const CORRECTED = HINGES.length + FINGERS.length + HIPS.length + SHOULDERS.length;
+
 /** A body, metres: its rows (B, 3), where it has the head's edge, where bones begin and end (bones, 3), and
- * its correctives (3 c, 3): of the rows that bend, by the first of the `BENDS`, the second, the third. */
+ * its correctives (4 c, 3): of the rows that bend the first of their joints, then the second, third and fourth. */
 export interface Body {
   readonly positions: Float32Array;
   readonly edge: Float32Array;
@@ -118,7 +121,7 @@ export function readFigureSpace(asset: FigureAsset, skin: number, garments: read
     [edge, space.headJoint].every((named) => named.every((row) => row < skin)) &&
     space.bendingHinges.length === space.bending.length &&
     space.bending.every((row) => row >= skin && row < rows) &&
-    space.bendingHinges.every((hinge) => hinge < HINGES.length) &&
+    space.bendingHinges.every((joint) => joint < CORRECTED) &&
     joined.every((row) => row < space.bodyRows) &&
     limbsFit(space);
   if (!fits) throw new Error(`The figures of ${rows} rows do not fit a head of ${skin}; bake the cast again.`);
@@ -160,7 +163,7 @@ export function readBody(asset: BodyAsset, space: FigureSpace): Body {
     edge.length !== 3 * space.edge.length ||
     joints.length !== bones ||
     ends.length !== bones ||
-    correctives.length !== 3 * BENDS.length * space.bending.length
+    correctives.length !== 3 * SHAPES * space.bending.length
   )
     throw new Error(`A body of ${positions.length / 3} rows does not fit figures of ${space.bodyRows}.`);
   return { positions, edge, joints, ends, correctives };

@@ -2176,7 +2176,7 @@ export type FigureAsset = {
 
 /**
  * A body, f32 little-endian, metres: `positions` (B, 3), `edge` (e, 3), `joints` and `ends` (bones, 3),
- * `correctives` (3 c, 3) of the rows that bend.
+ * `correctives` (4 c, 3) of the rows that bend.
  */
 export type BodyAsset = {
   positions: Uint8Array;

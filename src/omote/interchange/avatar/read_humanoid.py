@@ -17,7 +17,8 @@ from omote.model.body.compose_pose import NECK_SHARES, SPINE_SHARES
 from omote.model.body.pose import FARTHEST, LARGEST_TURN, Pose
 from omote.model.body.posed_bones import place_bones
 from omote.model.body.skeleton import SIDES
-from omote.model.body.stand import FOREARM, OUT, TWIST, hanging, shortest_turn, twist_about, unit
+from omote.model.body.stand import FOREARM, OUT, TWIST, hanging, shortest_turn, unit
+from omote.model.body.twist import twist_about
 
 TRUNK_BONES = {
     "spine": ("spine05", "spine04"), "chest": ("spine03", "spine02"), "upperChest": ("spine01",),

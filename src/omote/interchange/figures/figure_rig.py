@@ -8,7 +8,7 @@ the poses of the library the skin is more than twice as near to a stage's as fro
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -31,7 +31,7 @@ from omote.model.body.posed_bones import PosedBones
 from omote.model.body.skeleton import SIDES
 from omote.model.cast import Cast, Look
 from omote.model.known_names import GENERIC
-from omote.perform.figures.figure import RestingFigure, pose_figure, resting_figure, skin_figure
+from omote.perform.figures.figure import RestingFigure, pose_figure, resting_figure, skin_figure, skinning_bones
 from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.figures.pose_mix import mix_poses
 from omote.perform.limits import check_known
@@ -83,6 +83,11 @@ class ExportedFigure:
         return self.figures.space
 
     @cached_property
+    def bound(self) -> PosedBones:
+        """The bones in T-pose as skin follows them."""
+        return skinning_bones(self.space, self.resting, self.rest)
+
+    @cached_property
     def shift(self) -> Points:
         """What brings a point of the face to its place in the scene, metres."""
         ankles = self.rest.joints[[self.space.skeleton.places[f"foot.{side}"] for side in SIDES]]
@@ -104,9 +109,9 @@ class ExportedFigure:
     def inverse(self) -> Values:
         """From where vertices are kept (moved by `shift`) to each joint's frame, (J, 4, 4)."""
         matrices = np.tile(np.eye(4), (len(self.joints), 1, 1))
-        matrices[:, :3, :3] = self.rest.turns
-        away = self.rest.shifts(self.resting.joints) - self.rest.joints
-        matrices[:, :3, 3] = away - self.rest.turns @ self.shift
+        matrices[:, :3, :3] = self.bound.turns
+        away = self.bound.shifts(self.resting.joints) - self.rest.joints
+        matrices[:, :3, 3] = away - self.bound.turns @ self.shift
         return matrices
 
     def rig(self, shapes: Iterable[Shape], /, poses: Iterable[str] = ()) -> Rig:
@@ -164,8 +169,8 @@ class ExportedFigure:
     def _kept(self, part: BodyMesh, points: Points, normals: Points) -> tuple[Points, Points]:
         """Where vertices are kept, and their normals, so that linear blending brings them where they are in T-pose."""
         joints, weights = strongest_weights(part.blend @ self._rows, self.influences)
-        turns = np.einsum("nk,nkab->nab", weights, self.rest.turns[joints])
-        shifts = np.einsum("nk,nka->na", weights, self.rest.shifts(self.resting.joints)[joints])
+        turns = np.einsum("nk,nkab->nab", weights, self.bound.turns[joints])
+        shifts = np.einsum("nk,nka->na", weights, self.bound.shifts(self.resting.joints)[joints])
         kept = np.linalg.solve(turns, np.stack([points - shifts, normals], axis=2))
         return kept[:, :, 0], _unit(kept[:, :, 1])
 
@@ -186,8 +191,9 @@ class ExportedFigure:
 
     def motion(self, name: str, /) -> Motion:
         """A pose of the library on this body. name: the pose's."""
-        posed = pose_figure(self.space, self.resting, mix_poses(self.figures.poses, {name: 1.0}, {}, {}))
-        turns = posed.turns @ np.swapaxes(self.rest.turns, 1, 2)
+        called = pose_figure(self.space, self.resting, mix_poses(self.figures.poses, {name: 1.0}, {}, {}))
+        posed = skinning_bones(self.space, self.resting, called)
+        turns = posed.turns @ np.swapaxes(self.bound.turns, 1, 2)
         parents = self.space.skeleton.parents[1:]
         against = np.concatenate([turns[:1], np.swapaxes(turns[parents], 1, 2) @ turns[1:]])
         return Motion(against, posed.joints[0] + self.shift)
@@ -244,7 +250,8 @@ def export_figure(cast: Cast, face: str, body: str, /, *, influences: int) -> Ex
     first = next(iter(figures.bodies.values()))
     worn = wear_suit(figures.space, first, figures.body_of(name))
     alone = Figures(figures.space, {worn.name: worn}, figures.poses, figures.garments)
-    resting = resting_figure(alone, {worn.name: 1.0}, cast.faces[face].positions.astype(np.float64))
+    whole = resting_figure(alone, {worn.name: 1.0}, cast.faces[face].positions.astype(np.float64))
+    resting = replace(whole, correctives=np.zeros_like(whole.correctives))  # files carry none, nor may a rest wear some
     ends = worn.ends + (resting.joints[0] - worn.joints[0])
     rest = pose_t(figures.space.skeleton, resting, ends)
     return ExportedFigure(cast, face, worn, figures, resting, rest, influences)

@@ -31,9 +31,9 @@ class Body:
     size : float
         By how much it is drawn larger than its person is: children are enlarged, so that they fill a stage that is
         framed for adults.
-    correctives : array_like, (3 c, 3)
-        What is added to the rows that bend (`FigureSpace.bending`, c of them) before they are skinned, metres: of a
-        hinge that is bent by the first of `omote.model.body.hinges.BENDS`, then by the second, then the third.
+    correctives : array_like, (4 c, 3)
+        What is added to the rows that bend (`FigureSpace.bending`, c of them) before they are skinned, metres: the
+        first corrective of their joints (`omote.model.body.correctives`), then the second, third and fourth.
 
     Raises
     ------

@@ -61,15 +61,11 @@ def _bend(turn: Turn) -> Values:
 
 def _arm_turns(arm: Arm, out: float) -> Mapping[str, Values]:
     """By bone without its side; out: 1 for the left, -1 for the right."""
-    raised, spread, twist, elbow, forearm, shrug, reach = np.radians(
-        [arm.raised, arm.spread, arm.twist, arm.elbow, arm.forearm, arm.shrug, arm.reach]
-    )
+    elbow, forearm, shrug, reach = np.radians([arm.elbow, arm.forearm, arm.shrug, arm.reach])
     bend, aside = np.radians(arm.wrist)
-    swing = Rotation.from_rotvec([-raised, 0.0, out * spread])  # its length is how far the arm has left hanging
-    twisting = Rotation.from_rotvec([0.0, -out * twist, 0.0])
     turns = {
         "clavicle": np.array([0.0, -out * reach, out * shrug]),
-        "upperarm01": _vector(swing * twisting),
+        "upperarm01": _vector(Rotation.from_matrix(arm_turn(arm, out))),
         "lowerarm01": np.array([-elbow, 0.0, 0.0]),
     }
     about = np.array([0.0, -out * forearm, 0.0])
@@ -77,6 +73,13 @@ def _arm_turns(arm: Arm, out: float) -> Mapping[str, Values]:
         turns[bone] = turns.get(bone, np.zeros(3)) + share * about
     turns["wrist"] = turns["wrist"] + np.array([-aside, 0.0, -out * bend])
     return turns
+
+
+def arm_turn(arm: Arm, out: float) -> Values:
+    """The rotation (3, 3) of an upper arm from the stand. out: 1 for the left, -1 for the right."""
+    raised, spread, twist = np.radians([arm.raised, arm.spread, arm.twist])
+    swing = Rotation.from_rotvec([-raised, 0.0, out * spread])  # its length is how far the arm has left hanging
+    return np.asarray((swing * Rotation.from_rotvec([0.0, -out * twist, 0.0])).as_matrix())
 
 
 def _hand_turns(arm: Arm, out: float) -> Mapping[str, Values]:

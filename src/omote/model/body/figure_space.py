@@ -47,7 +47,8 @@ class FigureSpace:
     skirt : (s, 3) of int
         Triangles of the skirt, whose rows are the last of the body; garments show it or leave it out.
     bending, bending_hinges : (c,) of int
-        Rows of the figure that have correctives, and which of `omote.model.body.hinges.HINGES` calls them.
+        Rows of the figure that have correctives, and which joint of
+        `omote.model.body.correctives` calls them.
 
     References
     ----------

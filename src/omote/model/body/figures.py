@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from omote.model.body.body import Body
+from omote.model.body.correctives import SHAPES
 from omote.model.body.figure_space import FigureSpace
 from omote.model.body.garment import Garment
-from omote.model.body.hinges import BENDS
 from omote.model.body.limb_field import LimbField
 from omote.model.body.limbs import NO_LIMBS, LimbSpace
 from omote.model.body.pose import STAND, Pose
@@ -58,7 +58,7 @@ class Figures:
         bones = len(self.space.skeleton.names)
         for name, body in self.bodies.items():
             shapes = (body.positions.shape, body.edge.shape, body.joints.shape, body.ends.shape, body.correctives.shape)
-            counts = (self.space.body_rows, len(self.space.edge), bones, bones, len(BENDS) * len(self.space.bending))
+            counts = (self.space.body_rows, len(self.space.edge), bones, bones, SHAPES * len(self.space.bending))
             expected = tuple((count, 3) for count in counts)
             if shapes != expected:
                 raise ValueError(

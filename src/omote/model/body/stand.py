@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from omote.arrays import Points, Values
 from omote.model.body.skeleton import SIDES, Skeleton
+from omote.model.body.twist import twist_about
 
 OUT = {"L": 1.0, "R": -1.0}
 """Which way is out, along x."""
@@ -115,15 +116,6 @@ def shortest_turn(before: Values, after: Values) -> Values:
         return np.eye(3)
     angle = math.atan2(sine, float(before @ after))
     return np.asarray(Rotation.from_rotvec(axis / sine * angle).as_matrix())
-
-
-def twist_about(turn: Values, axis: Values) -> float:
-    """How far a rotation turns about a direction, radians: what is left when its swing is taken off.
-
-    turn (3, 3): the rotation; axis (3,): the direction.
-    """
-    x, y, z, w = Rotation.from_matrix(turn).as_quat()
-    return 2.0 * math.atan2(float(np.dot([x, y, z], axis)), float(w))
 
 
 def unit(way: Values) -> Values:

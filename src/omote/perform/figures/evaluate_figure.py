@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from omote.arrays import Floats, Points, Values
-from omote.model.body.hinges import hinge_bends
+from omote.model.body.correctives import hinge_bends
 from omote.model.body.pose import STAND
 from omote.model.body.pose_regions import POSE_REGIONS, region_bones
 from omote.model.body.skeleton import Skeleton

@@ -9,12 +9,13 @@ from scipy.spatial.transform import Rotation
 
 from omote.arrays import Floats, Points, Values
 from omote.geometry.skinning import skin
+from omote.model.body.correctives import SHAPES, corrective_calls
 from omote.model.body.figure_space import FigureSpace, hang_joints, join_head
 from omote.model.body.figures import Figures
-from omote.model.body.hinges import BENDS, corrective_weights, hinge_bends
 from omote.model.body.posed_bones import PosedBones, place_bones, pose_bones
 from omote.model.body.skeleton import LEG, SIDES, Skeleton
 from omote.model.body.stand import stand_turns
+from omote.model.body.twist import spread_twist
 from omote.perform.figures.legs import reach_foot
 from omote.perform.figures.pose_mix import MixedPose
 from omote.perform.mix import Weights
@@ -34,7 +35,7 @@ AHEAD = np.array([0.0, 0.0, 1.0])
 class RestingFigure:
     """A figure before it is posed. rows (V + B, 3): head and body; joints (J, 3); stand (J, 3, 3): rotations to the
     stand; ankles (2, 3): where they are there; leg: its length; correctives
-    (3 c, 3): of the mix, as of `Body`; metres."""
+    (4 c, 3): of the mix, as of `Body`; metres."""
 
     rows: Points
     joints: Points
@@ -113,18 +114,31 @@ def pose_figure(space: FigureSpace, resting: RestingFigure, pose: MixedPose) -> 
 
 
 def bent_rows(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> Points:
-    """The rows (V + B, 3) of a figure as modelled with the correctives of its bent elbows and knees, metres, to be
-    skinned. space, resting, bones: as of `pose_figure`."""
+    """The rows (V + B, 3) of a figure as modelled with the correctives of its joints, metres, to be skinned.
+
+    space, resting, bones: as of `pose_figure`.
+    """
     if len(space.bending) == 0:
         return resting.rows
-    weights = corrective_weights(hinge_bends(space.skeleton, bones.joints))[space.bending_hinges]
+    weights = corrective_calls(space.skeleton, bones)[space.bending_hinges]
     rows = resting.rows.copy()
-    rows[space.bending] += np.einsum("ca,acx->cx", weights, resting.correctives.reshape(len(BENDS), -1, 3))
+    rows[space.bending] += np.einsum("ca,acx->cx", weights, resting.correctives.reshape(SHAPES, -1, 3))
     return rows
 
 
 def skin_figure(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> Floats:
     """The rows (V + B, 3) of a posed figure, metres. space, resting, bones: as of `pose_figure`."""
     rows = bent_rows(space, resting, bones)
-    moved = skin(rows, space.bones, space.weights, space.shares, bones.turns, bones.shifts(resting.joints))
+    worn = skinning_bones(space, resting, bones)
+    moved = skin(rows, space.bones, space.weights, space.shares, worn.turns, worn.shifts(resting.joints))
     return moved.astype(np.float32)
+
+
+def skinning_bones(space: FigureSpace, resting: RestingFigure, bones: PosedBones) -> PosedBones:
+    """The bones that skin follows: upper arms twist less where they begin (`spread_twist`), joints stay where they are.
+
+    space, resting, bones: as of `pose_figure`.
+    """
+    rest = resting.joints
+    frames = spread_twist(space.skeleton, rest, resting.stand, bones.frames)
+    return place_bones(space.skeleton, rest, resting.stand, frames, bones.joints[0] - rest[0])

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from omote.arrays import Values
+from omote.model.body.correctives import HINGES
 from omote.model.body.figures import Figures
-from omote.model.body.hinges import HINGES
 from omote.model.body.limb_field import LimbField
 from omote.model.body.limb_recipe import BREATH
 from omote.model.body.limbs import limb_axes, limb_moves

@@ -1,14 +1,15 @@
 /** The figure of one character: the bodies that it wears, its bones in a frame, and what the GPU draws of them. */
 
 import type { Library } from "../../link/assets";
-import { BENDS, HINGES, LIMBS } from "../../link/constants";
-import type { Body } from "../../link/figures";
+import { LIMBS, SHAPES } from "../../link/constants";
+import { type Body, CORRECTED } from "../../link/figures";
 import type { FigureMix, Idle } from "../pose/pose";
 import { trackedKey } from "../pose/tracked_mix";
 import { bodySum, mixedBodies, type NeckPlaces, neckPlaces, type Parts, restingBones } from "./body_mix";
+import { hingeBends, writeCalls } from "./corrective_calls";
 import { type FigureJob, type FigurePass, type FigureTarget, limbNumbers } from "./figure_pass";
 import { BONE_TEXELS } from "./figure_shaders";
-import { hingeBends, type PosedBones, poseFigure, type RestingBones, turnHead, writeCalls } from "./kinematics";
+import { type PosedBones, poseFigure, type RestingBones, turnHead } from "./kinematics";
 import { limbWeights, writeLimbAxes, writeLimbFields } from "./limb_mix";
 import { blankPose, type MixedPose, mixFigurePoses } from "./pose_mix";
 import {
@@ -52,7 +53,7 @@ export class Figure {
   private readonly mixed: MixedPose;
   private readonly bones: Float32Array;
   private readonly bodyEdge: Float32Array;
-  private readonly calls = new Float32Array(BENDS.length * HINGES.length);
+  private readonly calls = new Float32Array(SHAPES * CORRECTED);
   private readonly limbAxes = new Float32Array(9 * LIMBS.length);
   private readonly limbFields: Float32Array;
   private limbWorn: ReadonlyMap<string, number> = new Map();
@@ -140,8 +141,8 @@ export class Figure {
     const resting = this.resting as RestingBones;
     this.posed = poseFigure(skeleton, resting, this.mixed);
     writeBones(resting, this.posed, this.bones);
+    writeCalls(skeleton, this.posed, this.calls);
     const bends = hingeBends(skeleton, this.posed.joints);
-    writeCalls(bends, this.calls);
     this.wearLimbs(limbWeights(this.shared.space.limbFields, called, bends, idle[0]));
     this.changed = true;
   }

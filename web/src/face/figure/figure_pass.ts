@@ -1,6 +1,6 @@
 /** Hangs bodies below heads on the GPU, and skins both: positions and normals of whole figures. */
 
-import { BENDS } from "../../link/constants";
+import { SHAPES } from "../../link/constants";
 import { type Body, type FigureSpace, ROW_BONES } from "../../link/figures";
 import { fanSpans, fans } from "../anatomy/topology";
 import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
@@ -25,7 +25,7 @@ export interface FigureJob {
   readonly bones: Float32Array;
   readonly bodies: readonly (readonly [layer: number, weight: number])[];
   readonly bodyEdge: Float32Array;
-  /** How much of each corrective each hinge calls (hinges, bends). */
+  /** How much of each corrective each joint calls (joints, SHAPES). */
   readonly calls: Float32Array;
   /** The sum of its limb fields (4 numbers a row on limbs), whether it is new, and the axes of its limbs; undefined where none weighs anything. */
   readonly limbs: LimbJob | undefined;
@@ -164,7 +164,7 @@ export class FigurePass {
 
   private get bodyLines(): number {
     const { bodyRows, bending } = this.space;
-    return Math.ceil((bodyRows + BENDS.length * bending.length) / ROW_WIDTH);
+    return Math.ceil((bodyRows + SHAPES * bending.length) / ROW_WIDTH);
   }
 
   private drawFigure({ bones, bodies, bodyEdge, calls, limbs, head, target }: FigureJob): void {
@@ -188,7 +188,7 @@ export class FigurePass {
     });
     gl.uniform2fv(uniformAt(gl, programs.figure, "mixed"), this.mixed);
     gl.uniform1i(uniformAt(gl, programs.figure, "count"), Math.min(bodies.length, MOST_BODIES));
-    gl.uniform3fv(uniformAt(gl, programs.figure, "calls"), calls);
+    gl.uniform4fv(uniformAt(gl, programs.figure, "calls"), calls);
     gl.uniform1i(uniformAt(gl, programs.figure, "limbsMove"), limbs === undefined ? 0 : 1);
     if (limbs !== undefined) gl.uniform3fv(uniformAt(gl, programs.figure, "limbAxes"), limbs.axes);
     gl.activeTexture(gl.TEXTURE7);
@@ -221,7 +221,7 @@ export class FigurePass {
 }
 
 /** Eight numbers a row: its bones (bytes), its weights (pairs), its share with its place among those that
- * bend, from 1, and their hinge (from bits 0, 8, 24), and its places among the joined and on limbs, from 1 (bits 0, 16). */
+ * bend, from 1, and their joint (from bits 0, 8, 24), and its places among the joined and on limbs, from 1 (bits 0, 16). */
 function packedRows({
   rowBones,
   rowWeights,

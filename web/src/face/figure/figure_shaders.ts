@@ -1,6 +1,7 @@
 /** Shaders of the passes that hang a body below a head and skin both. */
 
-import { BENDS, HINGES, LIMBS } from "../../link/constants";
+import { LIMBS, SHAPES } from "../../link/constants";
+import { CORRECTED } from "../../link/figures";
 import { PASS_HEAD, ROW_SHIFT, ROW_WIDTH } from "../gpu/pass_shaders";
 
 /** Bodies that are mixed at most. */
@@ -45,11 +46,11 @@ export interface FigureRows {
   readonly bending: number;
 }
 
-const CALLS = `vec${BENDS.length}`;
+const CALLS = `vec${SHAPES}`;
 
 /**
  * The rows of a figure: those of the head as they are blended, those of the body summed over bodies and joined to the
- * head's edge; those of limbs moved as fields have it; those of bent elbows and knees with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
+ * head's edge; those of limbs moved as fields have it; those around joints with their correctives; then skinned, by its share by dual quaternions and else linearly (\`omote.geometry.skinning\`).
  */
 export const figureFragment = ({ head, body, edge, bending }: FigureRows): string => `${PASS_HEAD}
 uniform sampler2D head;
@@ -64,7 +65,7 @@ uniform sampler2D limbPlaces; // of rows on limbs: how far along, which limb
 uniform sampler2D limbFields; // of these: out, round, along
 uniform vec3 limbAxes[${3 * LIMBS.length}]; // of each limb: where it begins, from there to its end, about what angles grow
 uniform bool limbsMove;
-uniform ${CALLS} calls[${HINGES.length}]; // of correctives, by hinge
+uniform ${CALLS} calls[${CORRECTED}]; // of correctives, by joint
 out vec4 position;
 ${ROW_TEXEL}
 
@@ -91,11 +92,11 @@ vec3 limbMove(int place, vec3 here) {
 
 vec3 correctiveAt(int place, ${CALLS} called) {
   vec3 sum = vec3(0.0);
-  for (int bend = 0; bend < ${BENDS.length}; bend++) {
-    if (called[bend] == 0.0) continue;
-    ivec2 at = texelOf(${body} + bend * ${bending} + place);
+  for (int shape = 0; shape < ${SHAPES}; shape++) {
+    if (called[shape] == 0.0) continue;
+    ivec2 at = texelOf(${body} + shape * ${bending} + place);
     for (int i = 0; i < count; i++)
-      sum += called[bend] * mixed[i].y * texelFetch(bodies, ivec3(at, int(mixed[i].x)), 0).xyz;
+      sum += called[shape] * mixed[i].y * texelFetch(bodies, ivec3(at, int(mixed[i].x)), 0).xyz;
   }
   return sum;
 }

@@ -1,12 +1,10 @@
 /** Where the bones of a figure are in a pose, as `perform.figures.figure` has it. */
 
-import { BENDS, HINGES } from "../../link/constants";
+import { TWIST_SPREAD } from "../../link/constants";
 import { reachFoot } from "./legs";
 import type { MixedPose } from "./pose_mix";
 import {
-  cross,
-  dot,
-  length,
+  inverse,
   minus,
   plus,
   product,
@@ -14,6 +12,8 @@ import {
   rotationOf,
   scaled,
   turnedBy,
+  twistAbout,
+  unit,
   type Vector,
 } from "./rotations";
 import { LEG, placeOf, SIDES, type Skeleton } from "./skeleton";
@@ -84,7 +84,22 @@ export function poseFigure(skeleton: Skeleton, resting: RestingBones, pose: Mixe
     for (const name of LEG.slice(1))
       placed[at(name)] = product(frames[at(name)] as Rotation, stand[at(name)] as Rotation);
   }
+  spreadTwist(skeleton, resting, frames, placed);
   return { turns: placed, joints: placeJoints(skeleton, rest, placed, root), frames };
+}
+
+/** Upper arms twist less where they begin: their first bones turn back about themselves (`model.body.twist`). */
+function spreadTwist(skeleton: Skeleton, { joints, stand }: RestingBones, frames: Rotation[], turns: Rotation[]): void {
+  for (const side of SIDES) {
+    const [before, first, second] = ["shoulder01", "upperarm01", "upperarm02"].map((name) =>
+      placeOf(skeleton, `${name}.${side}`),
+    ) as [number, number, number];
+    const along = unit(minus(joints[second] as Vector, joints[first] as Vector));
+    const turn = turns[first] as Rotation;
+    const twist = twistAbout(product(inverse(turns[before] as Rotation), turn), along);
+    turns[first] = product(turn, rotationOf(scaled(along, -TWIST_SPREAD * twist)));
+    frames[first] = product(turns[first], inverse(stand[first] as Rotation));
+  }
 }
 
 /** Where bones begin, each at the end of its parent, the first at `root`. */
@@ -101,31 +116,4 @@ export function placeJoints(
     joints.push(plus(joints[parent] as Vector, turnedBy(turns[parent] as Rotation, along)));
   }
   return joints;
-}
-
-const KNOTS = [0, ...BENDS];
-
-/** How far each hinge is bent, degrees from the straight limb; `joints`: where bones begin. */
-export const hingeBends = (skeleton: Skeleton, joints: readonly Vector[]): readonly number[] =>
-  HINGES.map((names) => {
-    const [begin, middle, end] = names.map((name) => joints[placeOf(skeleton, name)]) as [Vector, Vector, Vector];
-    const [upper, lower] = [minus(middle, begin), minus(end, middle)];
-    return (Math.atan2(length(cross(upper, lower)), dot(upper, lower)) * 180) / Math.PI;
-  });
-
-/** Writes how much of each corrective hinges call that are bent so far (hinges, bends), linear between bends. */
-export function writeCalls(bends: readonly number[], into: Float32Array): void {
-  into.fill(0);
-  bends.forEach((degrees, hinge) => {
-    const next = KNOTS.findIndex((knot) => degrees < knot);
-    const first = hinge * BENDS.length;
-    if (next < 0) {
-      into[first + BENDS.length - 1] = 1;
-      return;
-    }
-    const [low, high] = [KNOTS[next - 1] as number, KNOTS[next] as number];
-    const share = (degrees - low) / (high - low);
-    into[first + next - 1] = share;
-    if (next > 1) into[first + next - 2] = 1 - share;
-  });
 }

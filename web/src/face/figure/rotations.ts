@@ -101,6 +101,7 @@ export function frameOf(along: Vector, about: Vector): Rotation {
 
 /** The angle of a rotation about a direction, radians: what is left when its swing is taken off. */
 export function twistAbout(turn: Rotation, axis: Vector): number {
-  const [x, y, z, w] = quaternionOf(turn);
-  return 2 * Math.atan2(dot([x, y, z], axis), w);
+  const [a, b, c, d, e, f, g, h, i] = turn;
+  const aside: Vector = [h - f, c - g, d - b];
+  return Math.atan2(dot(aside, axis), a + e + i - dot(axis, turnedBy(turn, axis)));
 }
