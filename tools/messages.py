@@ -25,7 +25,7 @@ from omote.inputs.microphone import microphone_messages as microphone
 from omote.inputs.microphone.sound_features import SAMPLE_RATE
 from omote.inputs.performers import camera_messages as camera
 from omote.interchange.formats.file_kinds import FILE_CONTENTS
-from omote.interchange.part_textures import ARCH_DEPTH, TOOTH_REACH
+from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
 from omote.interchange.tooth_profiles import jaw_table
@@ -54,7 +54,6 @@ from omote.model.space.complexion import OF_REGION, REGIONS, SPOTS
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
-from omote.model.space.teeth_cage import ARCH
 from omote.perform.clips.clip_parts import CLIP_PARTS
 from omote.perform.complexion import RANGES, SKIN_FADERS, SKIN_LIMIT
 from omote.perform.cues.cue import Cue, Move

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.geometry import mesh
-from omote.interchange.teeth_sheet import TeethSheet, cage_weights, teeth_sheet
+from omote.interchange.part_textures import ARCH
+from omote.interchange.teeth_sheet import COLUMN_ROWS, COLUMNS, TeethSheet, cage_columns, cage_weights, teeth_sheet
 from omote.interchange.tooth_profiles import RIBS, TEETH
 from omote.model.cast import Look
-from omote.model.space.teeth_cage import ARCH, cage_columns
 from omote.model.transfer.gum_line import GUMS
 from tools.node import ROOT, find_node
 
@@ -31,6 +31,21 @@ def sheet_of(name: str, look: Look) -> TeethSheet:
     found = teeth_sheet(SPACE.parts[name].points, upper=name == "teeth_upper", look=look)
     assert found is not None
     return found
+
+
+@BOTH
+def test_columns_are_found_in_whatever_order_rows_come(name: str) -> None:
+    points = SPACE.parts[name].points
+    columns = cage_columns(points, upper=name == "teeth_upper")
+    assert columns is not None
+    assert sorted(columns.ravel()) == list(range(COLUMNS * COLUMN_ROWS))
+    order = np.random.default_rng(3).permutation(len(points))
+    found = cage_columns(points[order], upper=name == "teeth_upper")
+    assert found is not None
+    np.testing.assert_array_equal(order[found], columns)
+    edges = points[columns[:, 2]] - points.mean(axis=0)
+    assert (np.diff(np.arctan2(edges[:, 0], edges[:, 2])) > 0.0).all(), "from the right end to the left"
+    assert cage_columns(points[1:], upper=True) is None
 
 
 @BOTH

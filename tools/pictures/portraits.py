@@ -13,8 +13,8 @@ from pathlib import Path
 
 import omote
 from omote.interchange.formats.atomic_file import write_whole
-from omote.model.cast import Cast
 from omote.model.body.limb_recipe import LIMB_KIND
+from omote.model.cast import Cast
 from omote.model.known_names import GENERIC, NEUTRAL
 from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_setting import Setting

@@ -15,6 +15,7 @@ from omote.client.message_check import pack_numbers
 from omote.client.remote_frame import frame_in
 from omote.client.sounds import split_sound
 from omote.inputs.voices.spoken_text import WantedSpeech, check_wanted
+from omote.model.body.pose import Pose
 from omote.model.body.pose_regions import POSE_REGIONS, check_pose_region
 from omote.model.known_names import check_play_region
 from omote.perform.easing import DEFAULT_EASING
@@ -209,7 +210,6 @@ class RemoteCharacter(Generic[Sent, Said]):
         return self._show.send(command(character=self.name, **named(command, self._show.next_id), **fields))
 
     if TYPE_CHECKING:
-    from omote.model.body.pose import Pose
 
         def __getattr__(self, name: str) -> Callable[..., Sent]:
             """The methods that commands declare."""

@@ -16,12 +16,11 @@ from omote.arrays import Floats, Indices, Points, Rows, Values
 from omote.geometry import mesh
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.formats.glb_writer import NO_ROW
-from omote.interchange.part_textures import ARCH_DEPTH, tongue_uv
-from omote.interchange.teeth_sheet import TeethSheet, teeth_sheet
+from omote.interchange.part_textures import ARCH, ARCH_DEPTH, tongue_uv
+from omote.interchange.teeth_sheet import COLUMNS, TeethSheet, cage_columns, teeth_sheet
 from omote.interchange.tooth_profiles import TEETH
 from omote.model.cast import Look
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.teeth_cage import ARCH, COLUMNS, cage_columns
 from omote.model.transfer.gum_line import GUMS
 
 TONGUE = "tongue"

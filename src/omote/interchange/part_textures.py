@@ -18,7 +18,6 @@ from omote.interchange.skin_texture import decode_srgb
 from omote.interchange.tooth_profiles import TEETH
 from omote.model.albedo import encode_light
 from omote.model.cast import Look
-from omote.model.space.teeth_cage import ARCH
 
 Values = NDArray[Any]
 
@@ -26,6 +25,8 @@ SEED = 1993
 LIMBUS = 0.42
 """Radius of a person's iris, in the ball's."""
 PUPIL = 0.32
+ARCH = 0.034
+"""From the front teeth back to the middle of the dental arch, metres."""
 _LOWER = 1.7
 TOOTH_REACH = 0.16
 _WIDEST = 1.7

@@ -13,10 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Indices, Points, Values
+from omote.interchange.part_textures import ARCH
 from omote.interchange.tooth_profiles import BEYOND, JAWS, RIBS, TEETH, ToothRow, outline
 from omote.model.cast import Look
-from omote.model.space.teeth_cage import COLUMNS, cage_columns
 
+COLUMN_ROWS = 4
+COLUMNS = 17
 ACROSS_FRONT = (-1.0, -0.82, -0.45, 0.0, 0.45, 0.82)
 ACROSS_BACK = (-1.0, -0.6, 0.0, 0.6)
 """Places across a front tooth and one further back, -1..1; the last is the next one's first."""
@@ -42,6 +44,26 @@ class TeethSheet:
     triangles: Indices
     heights: Values
     numbers: Values
+
+
+def cage_columns(points: Points, *, upper: bool) -> Indices | None:
+    """The columns (17, 4) of a row of teeth at points (n, 3), from the right end to the left: gum, middle, edge,
+    behind; None where it is no such strip.
+
+    Those behind lie nearest to the arch's middle, the others in threes at one angle. upper: whether it is the
+    upper one.
+    """
+    if len(points) != COLUMNS * COLUMN_ROWS:
+        return None
+    across, up, ahead = points.T
+    back = ahead - (ahead.max() - ARCH)
+    angle = np.arctan2(across, back)
+    outwards = np.argsort(np.hypot(across, back), kind="stable")
+    behind, outer = (part[np.argsort(angle[part], kind="stable")] for part in np.split(outwards, [COLUMNS]))
+    threes = outer.reshape(COLUMNS, 3)
+    order = np.argsort((-1.0 if upper else 1.0) * up[threes], axis=1, kind="stable")
+    columns: Indices = np.column_stack([np.take_along_axis(threes, order, axis=1), behind]).astype(np.int32)
+    return columns
 
 
 def cage_weights(columns: Indices, places: Values) -> Values:

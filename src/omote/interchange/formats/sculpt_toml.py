@@ -17,7 +17,7 @@ from omote.model.sculpting.sculpt import KERNELS, Brush, Sculpt
 from omote.model.space.gain import Gain
 
 UNITS = {"mm": 0.001, "m": 1.0}
-HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "teeth_behind", "base", "look", "gains", "points", "smooth")
+HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "gains", "points", "smooth")
 POINT_KEYS = ("at", "to", "by", "reach", "size")
 ALL = "all"
 """Of a region's gains: that of all expressions which have none of their own."""
@@ -90,7 +90,6 @@ def parse_sculpt(text: str, /) -> Sculpt:
         moves=(targets - points) * UNITS[unit],
         symmetric=symmetric,
         teeth=_number("teeth", table.get("teeth", 1.0)),
-        teeth_behind=_number("teeth_behind", table["teeth_behind"]) * UNITS[unit] if "teeth_behind" in table else None,
         kernel=_choice(table, "kernel", KERNELS, "triharmonic"),  # type: ignore[arg-type]
         look=_look(_table(table, "look")),
         base={name: _number(f"base {name!r}", weight) for name, weight in _table(table, "base").items()},

@@ -15,7 +15,6 @@ from omote.arrays import Values
 from omote.geometry import mesh
 from omote.geometry.laplacian import smoothing_matrix
 from omote.model.cast import Look
-from omote.model.sculpting.muzzle_teeth import follow_lips
 from omote.model.sculpting.regions import fit_with_lids
 from omote.model.space.eye_socket import ball_heights, fall_off, move_ball
 from omote.model.space.face import Face
@@ -108,9 +107,6 @@ class Sculpt:
         Faces whose difference from the generic one is added first, by weight.
     teeth : float
         The scale of teeth and tongue about their middle, so that they stay behind the lips; 0.5 to 1.5.
-    teeth_behind : float, optional
-        How far behind the lower lip front teeth stand, metres, the rows bent along the lips; 0.003 to 0.03. Without,
-        teeth lie where the map carries them.
     brushes : tuple of Brush
         Where the skin is smoothed.
     gains : tuple of Gain
@@ -140,7 +136,6 @@ class Sculpt:
     look: Look = field(default_factory=Look)
     base: Mapping[str, float] = field(default_factory=dict)
     teeth: float = 1.0
-    teeth_behind: float | None = None
     brushes: tuple[Brush, ...] = ()
     gains: tuple[Gain, ...] = ()
 
@@ -154,10 +149,6 @@ class Sculpt:
             )
         if not 0.5 <= self.teeth <= 1.5:
             raise ValueError(f"teeth of sculpt {self.name!r} is {self.teeth!r}; expected a scale from 0.5 to 1.5")
-        if self.teeth_behind is not None and not 0.003 <= self.teeth_behind <= 0.03:
-            raise ValueError(
-                f"teeth of sculpt {self.name!r} stand {self.teeth_behind!r} m behind its lip; expected 0.003 to 0.03 m"
-            )
         for attribute in ("points", "moves"):
             rows = mesh.validate_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}")
             object.__setattr__(self, attribute, mesh.freeze(rows))
@@ -238,8 +229,6 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
         there = move(part.points)
         parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
-    if sculpt.teeth_behind is not None:
-        follow_lips(space, skin, parts, sculpt.teeth_behind)
     return fit_with_lids(space, sculpt.name, skin, parts, wanted, sculpt.gains)
 
 

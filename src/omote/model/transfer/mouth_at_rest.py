@@ -137,8 +137,6 @@ SHALLOW = 0.0004
 # What closes behind the lips brings the bag out again, by less each time: so many turns at most, until it lies less
 # than LEFT, metres, too shallow.
 TURNS = 8
-# A bag whose gums lie far from it (a muzzle's) gives way by so much of the way each time: so often at most.
-MEETINGS = 4
 LEFT = 0.0002
 
 
@@ -158,28 +156,14 @@ def fit_mouth_at_rest(space: ParameterSpace, positions: Floats, parts: Mapping[s
     line = find_gum_line(space)
     if line is None:
         return fit_mouth_bag_at_rest(space, closed.astype(np.float32))
-    mended = _meet(space, line, closed, parts)
-    for _ in range(MEETINGS - 1):
-        if not _is_apart(line, mended, parts):
-            break
-        mended = _meet(space, line, mended.astype(np.float64), parts)
-    return mended
-
-
-def _meet(space: ParameterSpace, line: GumLine, positions: Values, parts: Mapping[str, NDArray[np.floating]]) -> Floats:
-    """Positions (V, 3) with the bag at the gums of placed parts, and settled."""
-    placed = meet_gums(line, positions, parts)
-    return _settle(space, place_bag(space, line.bag, positions.astype(np.float32), placed))
-
-
-def _settle(space: ParameterSpace, positions: Floats) -> Floats:
-    """Positions (V, 3) with the mouth bag behind the skin, and closed behind the lips, where it begins."""
+    placed = meet_gums(line, closed, parts)
+    mended = place_bag(space, line.bag, closed.astype(np.float32), placed)
     for _ in range(TURNS):
-        inside = fit_mouth_bag_at_rest(space, positions)
-        positions = close_behind_lips(space, inside).astype(np.float32)
-        if measure_shallow(space, positions) <= LEFT:
+        inside = fit_mouth_bag_at_rest(space, mended)
+        mended = close_behind_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
+        if measure_shallow(space, mended) <= LEFT:
             break
-    return positions
+    return mended
 
 
 def mend_mouth(space: ParameterSpace, face: Face, /) -> Face:
@@ -200,10 +184,5 @@ def mend_mouth(space: ParameterSpace, face: Face, /) -> Face:
 def _is_out_of_order(
     space: ParameterSpace, line: GumLine, positions: Floats, parts: Mapping[str, NDArray[np.floating]]
 ) -> bool:
-    return _is_apart(line, positions, parts) or measure_shallow(space, positions) > SHALLOW
-
-
-def _is_apart(line: GumLine, positions: Floats, parts: Mapping[str, NDArray[np.floating]]) -> bool:
-    """Whether gums' edges float beside the bag, or a crown is through its wall."""
     edges, crowns = measure_gums(line, positions.astype(np.float64), parts)
-    return bool(np.quantile(edges, 0.9) > FLOATING or crowns.min() < 0.0)
+    return bool(np.quantile(edges, 0.9) > FLOATING or crowns.min() < 0.0) or measure_shallow(space, positions) > SHALLOW
