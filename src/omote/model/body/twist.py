@@ -17,7 +17,10 @@ SPREAD = 0.7
 
 
 def twist_about(turn: Values, axis: Values) -> float:
-    """The angle of a rotation (3, 3) about a direction (3,), radians, -pi to pi: what is left without its swing."""
+    """The angle of a rotation about a direction, radians, -pi to pi: what is left without its swing.
+
+    turn (3, 3): the rotation; axis (3,): the direction, of length one.
+    """
     aside = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
     return math.atan2(float(aside @ axis), float(np.trace(turn) - axis @ turn @ axis))
 
