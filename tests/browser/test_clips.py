@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
+from omote.perform.clips.clip_parts import CLIP_PARTS
 from tests.browser.conftest import playing
 from tests.browser.cut_off import cut_off
 from tests.browser.pictures import picture
@@ -70,7 +71,7 @@ def record_two_passes(page: Page, name: str) -> None:
     """The mouth by keys, then the brows by clicks."""
     begin_clip(page, name)
     page.keyboard.press("a")
-    assert len(armed(page)) == 6
+    assert len(armed(page)) == len(CLIP_PARTS)
     page.keyboard.press("3")
     assert armed(page) == ["mouth"]
     page.keyboard.press("r")
