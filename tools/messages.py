@@ -61,7 +61,7 @@ from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.figures.figure_axes import FACES_OWN
 from omote.perform.figures.limb_mix import TENSED
-from omote.perform.figures.pose_mix import BREATH_IN, CHEST, WEIGHT
+from omote.perform.figures.pose_mix import BREATH_IN, CHEST, IDLE_POSES, WEIGHT
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, ROUTE_PARTS
 from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
@@ -270,6 +270,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
         np.round(SHOULDER_SHARES, 9).tolist(),
     ),
     "TWIST_SPREAD": ("Of the twist of an upper arm, what its second bone makes alone.", SPREAD),
+    "IDLE_POSES": ("The poses that figures come to by themselves: no list of what people call has them.", IDLE_POSES),
     "BREATH_IN": ("The pose of a figure with a breath in its chest.", BREATH_IN),
     "CHEST": ("The pose of a figure whose chest has followed its head.", CHEST),
     "WEIGHT": ("The poses of a figure whose weight is on its left foot, and on its right.", WEIGHT),

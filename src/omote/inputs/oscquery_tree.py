@@ -12,6 +12,7 @@ from omote.inputs.osc_orders import Names
 from omote.model.body.pose_regions import POSE_REGIONS
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.perform.complexion import SKIN_FADERS
+from omote.perform.figures.pose_mix import IDLE_POSES
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
@@ -158,7 +159,8 @@ def _names(value: Value, names: Names, owner: str = "") -> list[str]:
     choices: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS, "pose": cast.poses, "body": cast.bodies}.get(
         value.kind, cast.expressions
     )
-    return [name for name in choices if value.kind != "channel" or name != NEUTRAL]
+    left_out = {"channel": (NEUTRAL,), "pose": IDLE_POSES}.get(value.kind, ())
+    return [name for name in choices if name not in left_out]
 
 
 def _container(path: str) -> Node:

@@ -201,6 +201,7 @@ export class ConsolePage extends ConsoleElement {
 
   /** What is shown below while none of scene, layers and pads of looks is. */
   #below: ConsoleView = "palettes";
+  #axis: LookKind = "expression";
 
   /** Opens scene, layers or pads of looks in the place of what is below, and closes them. */
   #toggle(wanted: (typeof IN_PLACE)[number]): void {
@@ -296,9 +297,11 @@ export class ConsolePage extends ConsoleElement {
     else this.#obeyAxis(command);
   }
 
-  /** What the right T-bar and its keys move: poses while their tiles are shown. */
+  /** What the right T-bar and its keys move: poses while their tiles are shown; a hand that is on it keeps what it has. */
   #rightAxis(): LookKind {
-    return this.store.arrangement.kind === "poses" ? "pose" : "expression";
+    if (!this.store.bar(this.#axis).touched())
+      this.#axis = this.store.arrangement.kind === "poses" ? "pose" : "expression";
+    return this.#axis;
   }
 
   #obeyAxis(command: Extract<Command, { axis: unknown }>): void {

@@ -112,6 +112,8 @@ export const SHOULDER_WAYS = [[0.730919074, -0.681593063, 0.03447034], [0.156341
 export const SHOULDER_SHARES = [[0.5255361, 0.021439642, 0.229514673, 0.219819269], [-2.340354245, 0.49115175, 1.52992837, -0.128511818], [0.49115175, -0.664202544, -0.035398647, 0.264499277], [1.52992837, -0.035398647, -1.614410261, 0.143781812], [-0.128511818, 0.264499277, 0.143781812, -0.177251154]] as const;
 /** Of the twist of an upper arm, what its second bone makes alone. */
 export const TWIST_SPREAD = 0.7;
+/** The poses that figures come to by themselves: no list of what people call has them. */
+export const IDLE_POSES = ["breath_in", "weight_left", "weight_right", "chest_left"] as const;
 /** The pose of a figure with a breath in its chest. */
 export const BREATH_IN = "breath_in";
 /** The pose of a figure whose chest has followed its head. */

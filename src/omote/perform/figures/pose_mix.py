@@ -29,6 +29,8 @@ WEIGHT = ("weight_left", "weight_right")
 """The poses of a figure that breathes and shifts its weight, which the automatic motion adds."""
 CHEST = "chest_left"
 """The pose of one whose chest has followed its head; its head looks where it did."""
+IDLE_POSES = (BREATH_IN, *WEIGHT, CHEST)
+"""Poses that figures come to by themselves: no list of what people call has them."""
 
 
 def idle_weights(idle: tuple[float, float, float]) -> Weights:

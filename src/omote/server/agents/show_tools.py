@@ -12,6 +12,7 @@ import mcp_types
 import msgspec
 
 from omote.client.connect import AsyncConnectedShow
+from omote.perform.figures.pose_mix import IDLE_POSES
 from omote.perform.limits import check_within
 from omote.server.agents.command_tools import CommandTool, command_tools
 from omote.server.agents.stage_picture import StagePicture
@@ -136,12 +137,13 @@ def own_tools(role: AccessRole) -> dict[str, mcp_types.Tool]:
 def names_in(manifest: Manifest, characters: tuple[str, ...]) -> dict[str, Any]:
     """What can be called, by kind. manifest: of the show's cast; characters: of its scene."""
     figures = manifest.figures
+    poses = [] if figures is None else figures.poses
     return {
         "character": list(characters),
         "face": {face.name: face.label for face in manifest.faces},
         "expression": {expression.name: expression.label for expression in manifest.expressions},
         "light": [light.name for light in manifest.lights],
-        "pose": {} if figures is None else {pose.name: pose.label for pose in figures.poses},
+        "pose": {pose.name: pose.label for pose in poses if pose.name not in IDLE_POSES},
         "body": [] if figures is None else [body.name for body in figures.bodies],
     }
 

@@ -1,7 +1,7 @@
 /** What the console has whatever is on air: the cast, who listens to changes, the arrangement, the notice and what can be taken back. */
 
 import type { Bus } from "../../link/bus";
-import { BREATH_IN, CHEST, WEIGHT } from "../../link/constants";
+import { IDLE_POSES } from "../../link/constants";
 import type {
   Crew,
   ExpressionDocument,
@@ -21,8 +21,7 @@ import type { PlayRegion, PoseRegion } from "./region_calls";
 import { type Seconds, secondsLabel, type Timing } from "./timing";
 import { type Step, type TakeStep, UndoHistory, type Way } from "./undo_history";
 
-/** The poses that figures do by themselves: nobody calls them. */
-const IDLE_POSES: ReadonlySet<string> = new Set([BREATH_IN, CHEST, ...WEIGHT]);
+const IDLE: ReadonlySet<string> = new Set(IDLE_POSES);
 
 /** What of the page itself has changed. */
 type PageTopic =
@@ -132,7 +131,7 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
   }
 
   get poses(): readonly PoseDocument[] {
-    return (this.manifest?.figures?.poses ?? []).filter(({ name }) => !IDLE_POSES.has(name));
+    return (this.manifest?.figures?.poses ?? []).filter(({ name }) => !IDLE.has(name));
   }
 
   get faces(): readonly FaceDocument[] {

@@ -1,6 +1,7 @@
 /** What layers and new things can be made from: own items that were saved, then the built-in cast. */
 
 import { KEY } from "../../link/assets";
+import { IDLE_POSES } from "../../link/constants";
 import type { DraftStore } from "./draft_store";
 import type { Kind } from "./item_commands";
 import { ordered } from "./item_commands";
@@ -39,7 +40,7 @@ const expressionsOf = (store: DraftStore): ListedSource[] =>
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
 
 const posesOf = (store: DraftStore): ListedSource[] => {
-  const own = new Set(store.items.map(({ name }) => name));
+  const own = new Set<string>([...IDLE_POSES, ...store.items.map(({ name }) => name)]); // or what figures do by themselves
   return (store.manifest?.figures?.poses ?? [])
     .filter(({ name }) => !own.has(name))
     .map(({ name, label }) => ({ source: name, label, group: "Poses" }));
